@@ -109,7 +109,7 @@ def test_standard_output_into_a_pipe(process: Cli, folder: Path) -> None:
 
 
 def test_on_a_terminal_it_goes_into_the_folder(cli: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tmmcalc.cli.makers.sys.stdout.isatty", lambda: True, raising=False)
+    monkeypatch.setattr("tmmcalc.cli.job.sys.stdout.isatty", lambda: True, raising=False)
     assert cli("forces", "my.toml", "-f", "xlsx", "-q") == (0, "", "")
     assert Path("my.out/forces.xlsx").is_file()
     code, out, err = cli("forces", "my.toml", "-f", "xlsx", "--no-store")

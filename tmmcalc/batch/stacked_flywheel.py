@@ -13,6 +13,7 @@ from tmmcalc.machine.flywheel.comparison import comparison_with
 from tmmcalc.machine.flywheel.required import ample, result_of, searched
 from tmmcalc.machine.flywheel.results import Trial
 from tmmcalc.machine.flywheel.search import Model
+from tmmcalc.machine.flywheel.solve import solve_flywheel
 from tmmcalc.machine.stacked.figures import figures
 from tmmcalc.machine.stacked.regimes import Machines, regimes
 from tmmcalc.machine.stacked.searches import replayed
@@ -88,4 +89,4 @@ def _flywheel(given: Any, asked: flywheel.Asked, found: Found | None, required: 
     """All methods beside the true flywheel; a sweep is asked by names, so none is tried under the motor."""
     assert found is not None
     cycle, delta, at_hand = found["reduction"].cycle, given[0].delta, asked.at_hand.total
-    return flywheel.of_search(given, found, comparison_with(cycle, at_hand, delta, required))
+    return solve_flywheel(flywheel.task(*given, **found), comparison_with(cycle, at_hand, delta, required))

@@ -16,7 +16,7 @@ from tmmcalc.core.quantity import quantities
 from tmmcalc.machine.driveline import drive_line
 from tmmcalc.machine.driver import Driver, driver_of
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
-from tmmcalc.machine.motion import Motion, Positions, motion_of
+from tmmcalc.machine.motion import Existing, Motion, Positions, motion_of
 from tmmcalc.machine.onemass import onto
 from tmmcalc.machine.regime import Regime, regime_of
 from tmmcalc.machine.stacked.figures import FIGURES, figures
@@ -102,7 +102,7 @@ def motions_of_each(
         quiet = regimes(machines_without(block, variants, machine, cycles, idle=True).at(every, constant), halvings=0)
     clear = loaded.clear & quiet.clear
     return [
-        motion.with_wheel(_motion(k, found["reduction"], each, loaded, quiet, key), own[2], found)
+        _motion(k, found["reduction"], each, loaded, quiet, key, motion.there(own[2], found))
         if clear[k] and found and each
         else None
         for k, (found, each, own) in enumerate(zip(results, asked, given, strict=True))
@@ -118,12 +118,20 @@ def machines_without(
     return machines_of(cycles.panels, values, len(variants), 0.0, _stacked_driver(own, speed, len(variants)))
 
 
-def _motion(k: int, reduction: Reduction, asked: motion.Asked, loaded: Regimes, quiet: Regimes, key: str) -> Motion:
+def _motion(
+    k: int,
+    reduction: Reduction,
+    asked: motion.Asked,
+    loaded: Regimes,
+    quiet: Regimes,
+    key: str,
+    there: Existing | None,
+) -> Motion:
     assert asked.driver is not None
     total, driver = asked.inertia.total, asked.driver
     regime = regime_of_one(k, reduction.cycle, total, driver, loaded)
     idle = regime_of_one(k, reduction.idle, total, driver, quiet) if reduction.idle is not None else None
-    return motion_of(reduction.cycle, regime, idle, asked.inertia, driver, Positions.of(reduction), key)
+    return motion_of(reduction.cycle, regime, idle, asked.inertia, driver, Positions.of(reduction), key, there=there)
 
 
 def regime_of_one(k: int, cycle: Cycle, constant: float, driver: Driver, found: Regimes) -> Regime:

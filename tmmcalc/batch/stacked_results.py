@@ -153,7 +153,7 @@ class Results:
         else:
             given = stage.inputs(self._inputs.spec(self._inputs.first if values is None else values))
         upstream = upstream_of(stage, variant.results)
-        variant.results[name] = stage.solve(*arguments(given), **upstream, **stage.settings)
+        variant.results[name] = stage.solved(*arguments(given), **upstream, **stage.settings)
 
 
 def _of(found: dict[int, _Variant], some: Indices, stage: str) -> list[Any]:

@@ -82,7 +82,7 @@ class Bench:
             inputs = stage.inputs(spec)
             key = self._key(stage, inputs, done, wrong)
             if key not in self._known:
-                self._known[key] = self._computed(stage, inputs, done, instead or stage.solve), (dict(done), wrong)
+                self._known[key] = self._computed(stage, inputs, done, instead or stage.solved), (dict(done), wrong)
             return self._known[key][0]
         except Exception:  # inputs may be worked out, too
             return None
@@ -93,7 +93,7 @@ class Bench:
         def solve(*given: Any, **upstream: Any) -> Any:
             right = self.right.get(stage.name)
             if right is None or not self._is_right(stage, given, upstream):
-                return stage.solve(*given, **upstream)
+                return stage.solved(*given, **upstream)
             return right.result
 
         return solve

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.job import Job
-from tmmcalc.cli.makers import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.output import check_picture, show, title

@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.makers import Solved, of_stage
+from tmmcalc.cli.job import Job, of_stage
+from tmmcalc.cli.output import Solved
 from tmmcalc.core.errors import UsageError
 from tmmcalc.report.document import Document
+
+if TYPE_CHECKING:
+    from tmmcalc.project import Spec
 
 TANGENTS, METHODS = "--tangents", "--methods"
 
 
-def _check(spec: object, *, tangents: bool, methods: bool, **others: object) -> None:
+def _asked(job: Job, *, tangents: bool, methods: bool, **others: object) -> tuple[Job, Spec]:
+    scene = job.spec()
     if tangents and methods:
         where = f"{TANGENTS}, {METHODS}"
         raise UsageError("print one table each", where=where, remedy="leave all but one of them out")
+    return job, scene
 
 
-@of_stage("flywheel", check=_check, found="flywheel")
+@of_stage("flywheel", asked=_asked, found="flywheel")
 def command(
     solved: Solved,
     tangents: Annotated[

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.job import Job
-from tmmcalc.cli.makers import check_names, with_flags
-from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
-from tmmcalc.cli.output import table_file, title
+from tmmcalc.cli.job import Job, of_stage
+from tmmcalc.cli.makers import check_names, positions_document
+from tmmcalc.cli.options import Columns, Positions
+from tmmcalc.cli.output import Solved
 from tmmcalc.core.errors import UsageError
+from tmmcalc.report.document import Document
 from tmmcalc.report.rows import rows_of
 
 if TYPE_CHECKING:
@@ -19,16 +20,29 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.forces.results import Forces
     from tmmcalc.linkage.results import Kinematics
     from tmmcalc.project import Spec
-    from tmmcalc.report.document import Document
 
 ITERATIONS, STOP, BODIES, LEVER = "--iterations", "--stop", "--bodies", "--lever"
 EXAMPLE = f"write e.g. {ITERATIONS} 'RRP(2,3)@6', or '...@67.5 deg'"
 
 
-@with_flags
-def command(
+def _asked(
     job: Job,
-    form: Form = Format.table,
+    columns: str | None,
+    positions: str | None,
+    iterations: str | None,
+    bodies: str | None,
+    lever: str | None,
+    stop: float | None,
+) -> tuple[Job, Spec]:
+    _check_flags({ITERATIONS: iterations, BODIES: bodies, LEVER: lever}, stop, columns, positions)
+    scene = job.spec()
+    check_names(columns, "forces", scene)
+    return job, scene
+
+
+@of_stage("forces", asked=_asked)
+def command(
+    solved: Solved,
     columns: Columns = None,
     positions: Positions = None,
     iterations: Annotated[
@@ -55,7 +69,7 @@ def command(
         float | None,
         typer.Option(STOP, metavar="PART", help="Relative change at which the passes end (default: 0.03)."),
     ] = None,
-) -> None:
+) -> Document:
     """Forces: reactions in all pairs, with friction where the pairs have it, and what the drive must apply.
 
     Example: tmmcalc forces my.toml --columns 'phi,M_drive,R_*' --positions 0:12:2
@@ -65,42 +79,23 @@ def command(
     friction of each pair: reduced moment, power, work (M_red_fr_*,P_fr_*,A_fr_*); by force its size, arm and moment on
     the lever (lever_F_*,lever_h_*,lever_M_*) and in the equations of link 3 (eq_3_F_*,eq_3_h_*,eq_3_M_*).
     """
-    _check_flags({ITERATIONS: iterations, BODIES: bodies, LEVER: lever}, stop, columns, positions)
-    scene = job.spec()
-    check_names(columns, "forces", scene)
-    run = job.run(scene, "forces")
-    scene = run.spec
-    result = run.results["forces"]
-    heading = title(scene, job.file, "forces")
+    scene, result, heading = solved.spec, solved.result, solved.title
     if iterations is not None:
-        document = _iterations(scene, run.results["kinematics"], result, heading, iterations, stop)
-    elif bodies is not None:
+        return _iterations(scene, solved.run.results["kinematics"], result, heading, iterations, stop)
+    if bodies is not None:
         from tmmcalc.linkage.facts.bodies import bodies_document
 
-        statics = _statics(scene, run.results["kinematics"])
+        statics = _statics(scene, solved.run.results["kinematics"])
         rows = rows_of(bodies, result.labels, BODIES) or []
-        document = bodies_document(statics, result, f"{heading}, links by themselves", rows)
-    elif lever is not None:
+        return bodies_document(statics, result, f"{heading}, links by themselves", rows)
+    if lever is not None:
         from tmmcalc.linkage.facts.lever import lever_document
 
-        kinematics = run.results["kinematics"]
+        kinematics = solved.run.results["kinematics"]
         rows = rows_of(lever, result.labels, LEVER) or []
         heading = f"{heading}, Zhukovsky's lever"
-        document = lever_document(_statics(scene, kinematics), kinematics, result, heading, rows)
-    else:
-        from tmmcalc.linkage.facts.forces import document as forces_document
-
-        patterns = patterns_of(columns)
-        document = forces_document(
-            result,
-            heading,
-            patterns=patterns,
-            rows=rows_of(positions, result.labels),
-            everything=form is not Format.table,
-            where=table_file(run, "forces"),
-            further=run.outcomes["forces"].stage.further(scene, run.results) if patterns else (),
-        )
-    job.finish(document, run, form)
+        return lever_document(_statics(scene, kinematics), kinematics, result, heading, rows)
+    return positions_document(solved, columns, positions)
 
 
 def _check_flags(

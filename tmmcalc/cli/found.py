@@ -34,7 +34,7 @@ class Target:
     """The file of ``--spec``, if it is asked for, and which of several solutions it is to have."""
 
     source: Path  # the spec itself
-    file: Path | None
+    file: Path | None = None
     force: bool = False
     choose: int | None = None
 

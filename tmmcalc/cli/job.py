@@ -1,4 +1,4 @@
-"""A job: the flags that all commands which run stages share, the pipeline once, what is told, and how it ends."""
+"""A job: the flags that commands which run stages share, the pipeline once, what is told, how it ends; its commands."""
 
 from __future__ import annotations
 
@@ -9,9 +9,11 @@ from dataclasses import field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.cli.messages import counted, note_written, put_bytes, say, show_damage, show_event, show_news
-from tmmcalc.cli.options import Format
-from tmmcalc.cli.output import check_place, check_strict, raise_failures, show, title, warnings_of
+from tmmcalc.cli.flags import CHOOSE, FORM, FOUND, own_of, signed, taken
+from tmmcalc.cli.found import Target
+from tmmcalc.cli.messages import note_written, put_bytes, say, show_damage, show_event, show_news, tell_end
+from tmmcalc.cli.options import Format, patterns_of
+from tmmcalc.cli.output import Solved, check_place, check_strict, raise_failures, show, title, warnings_of
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.progress import tell
 from tmmcalc.core.records import record
@@ -21,8 +23,6 @@ if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import Event, RunResult
     from tmmcalc.project import Spec
     from tmmcalc.report.worksheets import Worksheet
-
-NAMED = 8  # tables or pictures that are told by their names
 
 
 @record
@@ -127,6 +127,30 @@ class Job:
         result = self.run(scene, target)
         return run_document(result, title(scene, self.file, "run")), result
 
+    def with_book(self, form: Format | None, word: str) -> Job:
+        """The job with the file of its workbook, if that is what it is to write; ``word`` is what the file is called.
+
+        It is the one that ``-o`` names, or stands in its folder; without ``-o`` it goes to standard output, and where
+        that is a terminal into the folder of the stage files.
+        """
+        named = self.out if self.out is not None and self.out.suffix.lower() == ".xlsx" else None
+        if form is not Format.xlsx:
+            if named is not None:
+                raise UsageError(
+                    f"{named} is the name of a workbook", where="-o", remedy="add --format xlsx, or name a folder"
+                )
+            return self
+        if named is not None:
+            check_place(named, "-o")
+            return replace(self, out=None, book=named)
+        if self.out is None and not sys.stdout.isatty():
+            return self
+        if self.folder is None:
+            raise UsageError(
+                "there is no folder for the workbook", where="--no-store", remedy="name its file, such as -o my.xlsx"
+            )
+        return replace(self, book=self.folder / f"{word}.xlsx")
+
     @contextmanager
     def believed(self) -> Iterator[None]:
         """Make documents of what was run inside the block; stored files that break them are the user's to mend."""
@@ -192,32 +216,68 @@ class Job:
     def close(self, document: Document, result: RunResult) -> None:
         """What comes after the document: where the files are, and the errors."""
         if not self.quiet:
-            self._tell_end(result)
+            tell_end(result, self.folder, self.verbose)
         raise_failures(result.failures)
         self.check_warnings(document)
-
-    def _tell_end(self, result: RunResult) -> None:
-        """How many stages ran and how long, which ``verbose`` has told of each; the files."""
-        if not self.verbose:
-            done = {kind: [event for event in result.events if event.kind == kind] for kind in ("computed", "loaded")}
-            told = [f"{counted(len(events), 'stage')} {kind}" for kind, events in done.items() if events]
-            seconds = sum(event.seconds for events in done.values() for event in events)
-            if told:
-                say(f"{', '.join(told)} in {f'{seconds:.1f} s' if seconds >= 1 else f'{seconds * 1000:.0f} ms'}", "dim")
-        if result.files:
-            say(f"files in {self.folder}: {', '.join(self._named(result.files))}", "dim")
-
-    def _named(self, files: Sequence[Path]) -> list[str]:
-        """The files in words: by name those for people, if they are few; all of them if ``verbose``."""
-        if self.verbose:
-            return [file.name for file in files]
-        told = []
-        for thing, suffix in (("table", ".csv"), ("picture", ".svg")):
-            names = [file.name for file in files if file.suffix == suffix]
-            told += names if len(names) <= NAMED else [f"{counted(len(names), thing)} ({suffix[1:]})"]
-        rest = sum(file.suffix not in (".csv", ".svg") for file in files)
-        return [*told, counted(rest, "file") + " of the stages"] if rest else told
 
     def check_warnings(self, document: Document) -> None:
         """Under ``strict`` raise LimitError if a document warns."""
         check_strict(warnings_of(document), self.strict)
+
+
+def with_flags(body: Callable[..., None]) -> Callable[..., None]:
+    """The command that takes the shared flags and those of ``body``, and calls ``body(job, ...)``.
+
+    A flag of the body's own stands in place of the shared one of its name.
+    """
+    own = own_of(body)
+
+    def command(**given: Any) -> None:
+        job = Job(**taken(given, own)).with_book(given.get("form"), body.__module__.rpartition(".")[2])
+        with job.believed():
+            body(job, **given)
+
+    return signed(command, own, body)
+
+
+def _read(job: Job, *, columns: str | None = None, **flags: Any) -> tuple[Job, Spec]:
+    patterns_of(columns)
+    return job, job.spec()
+
+
+def of_stage(
+    stage: str,
+    heading: str = "",
+    asked: Callable[..., tuple[Job, Spec]] = _read,
+    *,
+    found: str = "",
+    several: bool = False,
+) -> Callable[[Callable[..., Document]], Callable[..., None]]:
+    """Make of ``body(solved, ...)`` the command that runs a stage and prints the document that ``body`` returns.
+
+    Its flags are those of the body, ``form`` and the shared ones. The title says ``heading``, by default the stage.
+    ``asked(job, **flags)`` reads the spec and says by which job it is run; before anything is computed it refuses flags
+    that do not go together, and what the scene has not. ``found`` is the stage, this one or one that it needs, whose
+    findings ``--spec`` writes into the spec; of ``several`` solutions ``--choose`` says which.
+    """
+
+    def made(body: Callable[..., Document]) -> Callable[..., None]:
+        of_found = [*(FOUND if found else ()), *(CHOOSE if several else ())]
+        own = [FORM, *of_found, *own_of(body)]
+
+        def command(**given: Any) -> None:
+            form = given.pop("form")
+            job = Job(**taken(given, own)).with_book(form, stage)
+            target = Target(job.file, *(given.pop(each.name) for each in of_found))
+            target.check()
+            job, scene = asked(job, **given)
+            run = job.run(scene, stage)
+            with job.believed():
+                document = body(Solved(run.spec, job.file, run, stage, heading or stage, form), **given)
+                settled = target.made(scene, found, run.results[found]) if found else None
+                job.finish(document, run, form)
+            target.write(settled, job.quiet)
+
+        return signed(command, own, body)
+
+    return made

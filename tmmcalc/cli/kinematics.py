@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.job import Job
-from tmmcalc.cli.makers import check_names, with_flags
-from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
-from tmmcalc.cli.output import title
+from tmmcalc.cli.job import Job, of_stage
+from tmmcalc.cli.makers import check_names
+from tmmcalc.cli.options import Columns, Positions, patterns_of
+from tmmcalc.cli.output import Solved
 from tmmcalc.core.errors import UsageError
+from tmmcalc.report.document import Document
 from tmmcalc.report.rows import rows_of
 
 if TYPE_CHECKING:
@@ -34,10 +35,37 @@ class MethodChoice(StrEnum):
     splitting = "splitting"
 
 
-@with_flags
-def command(
+def _asked(
     job: Job,
-    form: Form = Format.table,
+    columns: str | None,
+    positions: str | None,
+    dimensionless: bool,
+    method: MethodChoice,
+    step: str | None,
+    decimals: int | None,
+    compare: bool,
+    plan: bool,
+    polygons: str | None,
+    scale: str | None,
+    study: bool,
+    output: str | None,
+) -> tuple[Job, Spec]:
+    """The job by the method that is asked for, and its spec."""
+    _check_kind(plan, study, compare, columns, positions, dimensionless, output, polygons)
+    _crank_segment(polygons, scale)
+    _check_method(study, compare, method, step, decimals)
+    if polygons is not None and method is not MethodChoice.closed:
+        remedy = f"leave --method out, or print its table without {POLYGONS}"
+        raise UsageError("the plans are those of the exact derivatives", where="--method", remedy=remedy)
+    scene = job.spec()
+    if not compare:
+        check_names(columns, "kinematics", scene)
+    return replace(job, settings={"kinematics": _settings(scene, method, step, decimals)}), scene
+
+
+@of_stage("kinematics", asked=_asked)
+def command(
+    solved: Solved,
     columns: Columns = None,
     positions: Positions = None,
     dimensionless: Annotated[
@@ -91,7 +119,7 @@ def command(
         str | None,
         typer.Option("--output", metavar="NAME", help="The output of --plan or --study (default: the first)."),
     ] = None,
-) -> None:
+) -> Document:
     """Kinematics: positions, velocities, accelerations, transfer functions, dead centres, strokes.
 
     Example: tmmcalc kinematics my.toml --columns 'phi,x_*' --positions 0:12:2
@@ -100,45 +128,32 @@ def command(
     (an_*,at_*,aK_*), special points of groups of class III and IV ('*_W*'), outputs by numerical differentiation
     ('*_differences').
     """
-    _check_kind(plan, study, compare, columns, positions, dimensionless, output, polygons)
-    crank = _crank_segment(polygons, scale)
-    _check_method(study, compare, method, step, decimals)
-    if polygons is not None and method is not MethodChoice.closed:
-        remedy = f"leave --method out, or print its table without {POLYGONS}"
-        raise UsageError("the plans are those of the exact derivatives", where="--method", remedy=remedy)
-    scene = job.spec()
-    if not compare:
-        check_names(columns, "kinematics", scene)
-    job = replace(job, settings={"kinematics": _settings(scene, method, step, decimals)})
-    heading = title(scene, job.file, "kinematics")
-    run = job.run(scene, "kinematics")
-    scene = run.spec
-    result = run.results["kinematics"]
+    scene, result, heading = solved.spec, solved.result, solved.title
     if plan:
         from tmmcalc.linkage.facts.plan import plan_document
         from tmmcalc.linkage.plan import position_plan
         from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
         told = position_plan(to_linkage(scene.linkage), result, output)
-        document = plan_document(told, f"{heading}, position plan", rows_of(positions, told.labels))
-    elif polygons is not None:
+        return plan_document(told, f"{heading}, position plan", rows_of(positions, told.labels))
+    if polygons is not None:
         from tmmcalc.linkage.facts.polygons import polygons_document
         from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
         rows = rows_of(polygons, result.labels, POLYGONS) or []
         heading = f"{heading}, plans of velocities and accelerations"
-        document = polygons_document(to_linkage(scene.linkage), result, heading, rows, crank)
-    elif study:
+        return polygons_document(to_linkage(scene.linkage), result, heading, rows, _crank_segment(polygons, scale))
+    if study:
         from tmmcalc.linkage.facts.methods import study_document
         from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
         heading = f"{heading}, error of differences"
-        document = study_document(to_linkage(scene.linkage), result, heading, decimals, output)
-    elif compare:
+        return study_document(to_linkage(scene.linkage), result, heading, decimals, output)
+    if compare:
         from tmmcalc.linkage.facts.methods import comparison_document
         from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
-        document = comparison_document(
+        return comparison_document(
             to_linkage(scene.linkage),
             result,
             f"{heading}, {method.value} beside the exact values",
@@ -146,21 +161,15 @@ def command(
             rows=rows_of(positions, result.labels),
             dimensionless=dimensionless,
         )
-    else:
-        from tmmcalc.linkage.facts.kinematics import document as kinematics_document
-
-        patterns = patterns_of(columns)
-        document = kinematics_document(
-            result,
-            heading,
-            patterns=patterns,
-            rows=rows_of(positions, result.labels),
-            dimensionless=dimensionless,
-            everything=form is not Format.table,
-            where=next((str(file) for file in run.files if file.name == "kinematics.csv"), ""),
-            further=_further(run, dimensionless) if patterns else (),
-        )
-    job.finish(document, run, form)
+    patterns = patterns_of(columns)
+    return solved.document(
+        patterns=patterns,
+        rows=rows_of(positions, result.labels),
+        dimensionless=dimensionless,
+        everything=solved.everything,
+        where=solved.where,
+        further=_further(solved.run, dimensionless) if patterns else (),
+    )
 
 
 def _further(run: RunResult, dimensionless: bool) -> Sequence[Column]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, TextIO
 
@@ -19,8 +19,9 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from tmmcalc.core.errors import TmmError
-    from tmmcalc.pipeline.outcome import Event
+    from tmmcalc.pipeline.outcome import Event, RunResult
 
+NAMED = 8  # tables or pictures that are told by their names
 _COLOURS = {"red": "31", "yellow": "33", "dim": "2"}
 
 
@@ -144,3 +145,27 @@ def show_damage(event: Event) -> None:
 def note_written(*files: Path) -> None:
     """Say which files were written."""
     say(f"wrote {' and '.join(map(str, files))}", "dim")
+
+
+def tell_end(run: RunResult, folder: Path | None, verbose: bool) -> None:
+    """How many stages ran and how long, which ``verbose`` has told of each; the files."""
+    if not verbose:
+        done = {kind: [event for event in run.events if event.kind == kind] for kind in ("computed", "loaded")}
+        told = [f"{counted(len(events), 'stage')} {kind}" for kind, events in done.items() if events]
+        seconds = sum(event.seconds for events in done.values() for event in events)
+        if told:
+            say(f"{', '.join(told)} in {f'{seconds:.1f} s' if seconds >= 1 else f'{seconds * 1000:.0f} ms'}", "dim")
+    if run.files:
+        say(f"files in {folder}: {', '.join(_named(run.files, verbose))}", "dim")
+
+
+def _named(files: Sequence[Path], verbose: bool) -> list[str]:
+    """The files in words: by name those for people, if they are few; all of them if ``verbose``."""
+    if verbose:
+        return [file.name for file in files]
+    told = []
+    for thing, suffix in (("table", ".csv"), ("picture", ".svg")):
+        names = [file.name for file in files if file.suffix == suffix]
+        told += names if len(names) <= NAMED else [f"{counted(len(names), thing)} ({suffix[1:]})"]
+    rest = sum(file.suffix not in (".csv", ".svg") for file in files)
+    return [*told, counted(rest, "file") + " of the stages"] if rest else told

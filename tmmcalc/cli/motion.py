@@ -6,12 +6,14 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.makers import Solved, named_columns, of_stage, positions_document
+from tmmcalc.cli.job import of_stage
+from tmmcalc.cli.makers import named_columns, positions_document
 from tmmcalc.cli.options import Columns, Positions, patterns_of
+from tmmcalc.cli.output import Solved
 from tmmcalc.report.document import Document
 
 
-@of_stage("motion", check=named_columns("motion", "recurrence"))
+@of_stage("motion", asked=named_columns("motion", "recurrence"))
 def command(
     solved: Solved,
     columns: Columns = None,

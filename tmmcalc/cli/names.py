@@ -7,8 +7,7 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.job import Job
-from tmmcalc.cli.makers import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.output import title
 

@@ -6,19 +6,64 @@ import sys
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cli.messages import counted, put_bytes, say, show_error, whoever_reads
 from tmmcalc.cli.options import Format, check_named, language_of
 from tmmcalc.core.errors import LimitError, TmmError, UsageError
 from tmmcalc.core.files import other_kind
 from tmmcalc.core.printable import printable
+from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
     from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
     from tmmcalc.report.document import Document
     from tmmcalc.report.drawing.shapes import Drawing
+
+
+@record
+class Solved:
+    """What a stage command prints a document of: the run of its stage, and how it is asked to print."""
+
+    spec: Spec
+    file: Path  # of the spec
+    run: RunResult
+    stage: str
+    heading: str  # of the document, after the title of the project
+    form: Format
+
+    @property
+    def title(self) -> str:
+        """The title of the document."""
+        return title(self.spec, self.file, self.heading)
+
+    @property
+    def result(self) -> Any:
+        """The result of the stage."""
+        return self.run.results[self.stage]
+
+    @property
+    def everything(self) -> bool:
+        """Whether all rows are printed, for programs."""
+        return self.form is not Format.table
+
+    @property
+    def where(self) -> str:
+        """The file of the whole table; empty if it was not written."""
+        return table_file(self.run, self.stage)
+
+    def further(self, patterns: Sequence[str]) -> dict[str, Sequence[Column]]:
+        """The columns by choice of the stage's rows, as an argument of its document; none without patterns."""
+        own = self.run.outcomes[self.stage].stage
+        found = own.further(self.spec, self.run.results) if patterns else ()
+        return {"further": found} if found else {}
+
+    def document(self, **chosen: Any) -> Document:
+        """The document of the stage, with a table of what is chosen."""
+        found: Document = self.run.outcomes[self.stage].stage.document(self.result, self.title, **chosen)
+        return found
 
 
 def raise_failures(failures: Mapping[str, TmmError]) -> None:

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmmcalc.cli.found import Force, SpecOut, Target
-from tmmcalc.cli.job import Job
-from tmmcalc.cli.makers import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Columns, Form, Format, patterns_of
 from tmmcalc.cli.output import title
 

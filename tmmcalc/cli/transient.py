@@ -1,7 +1,8 @@
 """``tmmcalc transient``."""
 
-from tmmcalc.cli.makers import Solved, of_stage
+from tmmcalc.cli.job import of_stage
 from tmmcalc.cli.options import Columns, patterns_of
+from tmmcalc.cli.output import Solved
 from tmmcalc.report.document import Document
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from tmmcalc.cli.makers import Solved, of_stage
+from tmmcalc.cli.job import of_stage
 from tmmcalc.cli.options import Columns, patterns_of
+from tmmcalc.cli.output import Solved
 from tmmcalc.report.document import Document
 
 

@@ -7,7 +7,8 @@ does not run is never imported.
                                              result --table--> Table
 
 What a stage does is a function of the theory; the module of the stage says which, so that the pipeline calls it without
-a step between, as ``solve(*inputs, **results of the stages that it reads, **settings)``.
+a step between, as ``solve(*inputs, **results of the stages that it reads, **settings)``, or of a task that is made of
+both.
 
 ``load(dump(result))`` must give back everything that a later stage or a renderer reads, because this is
 the only form in which a result is handed on, whether it has just been computed or comes from a file.
@@ -52,6 +53,8 @@ class Stage:
     ``inputs(spec)``      plain value that it reads, a tuple of them, or None: exactly these are hashed
     ``solve``             the function of the inputs, one argument each, and of keywords: the results that it reads by
                           stage, and its settings
+    ``task``              where ``solve`` is asked in the words of its theory: the function of these inputs and results
+                          that gives its arguments, a tuple or a single one; the settings stay keywords of ``solve``
     ``takes``             by stage: the field of its result that ``solve`` takes in place of the result, by its name
     ``kind``              class of the result
     ``errors(result)``    estimates of its errors; without it those of ``result.error``
@@ -164,6 +167,19 @@ class Stage:
         """The function that finds the result."""
         function: Callable[..., Any] = self.part("solve")
         return function
+
+    def called(self, *inputs: Any, **read: Any) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        """The arguments and keywords of `solve`, of the inputs, and of the results and settings by name."""
+        task = self.part("task")
+        if task is None:
+            return inputs, read
+        settings = {name: read.pop(name) for name in (*self.settings, *self.by_name) if name in read}
+        return arguments(task(*inputs, **read)), settings
+
+    def solved(self, *inputs: Any, **read: Any) -> Any:
+        """The result, of the inputs, and of the results and settings by name."""
+        given, keywords = self.called(*inputs, **read)
+        return self.solve(*given, **keywords)
 
     @property
     def takes(self) -> Mapping[str, str]:

@@ -23,6 +23,8 @@ from tmmcalc.machine.timescales import TimeScales
 from tmmcalc.machine.verdicts import Verdict, verdicts
 
 if TYPE_CHECKING:
+    from tmmcalc.machine.flywheel.placement import Wheel
+    from tmmcalc.machine.model import FlywheelTask
     from tmmcalc.machine.recurrence import Nodes
     from tmmcalc.machine.reduction.results import Reduction
 
@@ -41,6 +43,13 @@ class Positions(NamedTuple):
         sense = math.copysign(1.0, reduction.phi[-1])
         theta = np.abs(reduction.phi - reduction.phi[0])
         return cls(reduction.labels, reduction.phi, theta, sense * reduction.total)
+
+
+class Existing(NamedTuple):
+    """A flywheel that is there, of which a size is given."""
+
+    task: FlywheelTask
+    ratio: float  # speed of its shaft over that of the input shaft
 
 
 @record
@@ -95,16 +104,17 @@ def solve_motion(
     speed: float,
     positions: Positions,
     key: str = INPUT,
-    *,
     undriven: bool = False,
+    there: Existing | None = None,
+    *,
     tolerance: float = 0.0,
 ) -> Motion:
     """The steady motion; ``driver`` None: a constant driving moment at the mean ``speed`` [rad/s], or none at all.
 
-    ``idle`` is the cycle without technological loads; ``key`` is where
-    the spec gives the speed of the cycle; ``undriven``: the loads alone set the speed. ``tolerance``: relative
-    error asked of a motor's regime, 0 near rounding. Raises `NoSolutionError` where
-    the machine stalls, runs away, its energy does not last for a cycle, or no speed balances its loads.
+    ``idle`` is the cycle without technological loads; ``key`` is where the spec gives the speed of the cycle;
+    ``undriven``: the loads alone set the speed; ``there``: the flywheel that the ``inertia`` has. ``tolerance``:
+    relative error asked of a motor's regime, 0 near rounding. Raises `NoSolutionError` where the machine stalls, runs
+    away, its energy does not last for a cycle, or no speed balances its loads.
     """
     sense = math.copysign(1.0, positions.phi[-1])
     if undriven:
@@ -114,7 +124,7 @@ def solve_motion(
     else:
         regime = _regime(cycle, inertia, driver, speed, sense, tolerance)
         quiet = _idle(idle, inertia, driver, speed, tolerance)
-    return motion_of(cycle, regime, quiet, inertia, driver, positions, key, undriven=undriven)
+    return motion_of(cycle, regime, quiet, inertia, driver, positions, key, undriven, there)
 
 
 def motion_of(
@@ -125,8 +135,8 @@ def motion_of(
     driver: Driver | None,
     positions: Positions,
     key: str = INPUT,
-    *,
     undriven: bool = False,
+    there: Existing | None = None,
 ) -> Motion:
     """The result from the regime and that without technological loads, ``quiet``."""
     labels, phi, theta, _ = positions
@@ -134,6 +144,7 @@ def motion_of(
     at, early = _placed(cycle, theta), _early(cycle, theta, positions.moment)
     moving = np.stack((regime.omega, regime.acceleration, regime.driving))
     omega, eps, driving = sided(cycle, regime.panels, moving, theta, early)
+    wheel = existing(there, inertia.flywheel, regime.omega_max)
     load = sided(cycle, cycle.panels, np.stack((cycle.moment, cycle.viscous, cycle.quadratic)), theta, early)
     return Motion(
         labels=labels,
@@ -152,12 +163,27 @@ def motion_of(
         load=load[0] + load[1] * omega + load[2] * omega**2,
         omega_idle=quiet.omega_at(at) if quiet is not None else None,
         textbook=_textbook(cycle, inertia, driver, theta),
-        verdicts=_verdicts(cycle, regime, driver, sense, key, undriven),
+        verdicts=(
+            *(() if wheel is None else wheel.verdicts),
+            *_verdicts(cycle, regime, driver, sense, key, undriven),
+        ),
         balancing=cycle.balancing,
         motor=motor_side(regime, driver) if driver is not None else None,
         scales=_scales(cycle, regime, driver) if driver is not None else None,
         by_energy=_by_energy(cycle, regime, inertia, theta) if driver is None and not undriven else None,
     )
+
+
+def existing(there: Existing | None, inertia: float, fastest: float) -> Wheel | None:
+    """The flywheel that is there, if a size of it is given: its rim follows from its ``inertia`` at the input shaft.
+
+    ``fastest`` is the largest speed of that shaft [rad/s].
+    """
+    if there is None:
+        return None
+    from tmmcalc.machine.flywheel.placement import wheels
+
+    return wheels(there.task, inertia, fastest, there.ratio, None)[0]
 
 
 def _placed(cycle: Cycle, theta: Values) -> Values:

@@ -9,11 +9,12 @@ form of the total equation of motion). Without lag the state is E alone, with it
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.collocation import TOLERANCE
 from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.core.numerics.radau import radau
 from tmmcalc.core.records import record
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from tmmcalc.core.numerics.newton import Rates
     from tmmcalc.machine.motors.characteristics import Characteristic
 
+UNRESOLVED = 30.0  # error of the regime over what its panels leave unresolved, at most: a weak motor adds it up
 VANISHING = 1e-12  # least inertia against the largest: below it the speed has no bound
 IDLE = 1e-3  # of the largest moment of the motor
 BEND = 1e-9  # relative distance from the no-load speed at which slopes on both sides are compared
@@ -90,6 +92,17 @@ class OneMass:
     def equations(self) -> System:
         """The equations for the collocation; the speed is to be resolved as well."""
         return self._lagging if self.lag else self._static
+
+    @property
+    def resolution(self) -> dict[str, Any]:
+        """How a periodic motion is to be resolved, as keywords of the collocation."""
+        return {
+            "floor": self.floor,
+            "typical": self.typical,
+            "kinks": self.kinks,
+            "fixed": self.cycle.panels.edges,
+            "tolerance": max(TOLERANCE, self.cycle.error, self.tolerance / UNRESOLVED),
+        }
 
     @property
     def kinks(self) -> Kinks | None:

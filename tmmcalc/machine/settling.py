@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.errors import AccuracyError
-from tmmcalc.core.numerics.collocation import TOLERANCE, Orbit, System, initial, solve
+from tmmcalc.core.numerics.collocation import Orbit, System, initial, solve
 from tmmcalc.core.numerics.panels import NARROWEST, Panels, Values
 from tmmcalc.machine.cycle import place
 from tmmcalc.machine.onemass import SPEEDS, OneMass, balanced_speed, onto
@@ -31,7 +31,6 @@ RUNAWAY = 20.0  # times the no-load speed
 BETWEEN = np.linspace(0.0, 1.0, 9)[:, None, None]  # motions looked at between two
 RINGING = 20.0  # time constants after which swings of a lagging motor have died down
 SWINGS = 200.0  # of them that can be followed within seconds
-UNRESOLVED = 30.0  # error of the regime over what its panels leave unresolved, at most: a weak motor adds it up
 SWING = 0.5  # of the mean speed: more than that a guess does not leave it
 NEAR = 0.05  # largest relative distance of a lagging motion from the regime it is to settle in
 
@@ -56,15 +55,79 @@ def guessed(machine: OneMass, motion: Guess, constant: float) -> Guess:
     return panels, mean + (omega - mean) * (min(factor, SWING * mean / largest) if largest > 0 else factor)
 
 
-def settled(machine: OneMass, guess: Guess | None = None) -> Orbit | Halt:
-    """The regime reached from the no-load speed, or why there is none.
+def directly(machine: OneMass, guess: Guess | None = None) -> Orbit | None:
+    """The regime reached from the no-load speed, if it is found as a periodic solution and known to be that.
+
+    Without lag first: motions without it keep their order, so the one found is known to be the regime or not.
+    """
+    without_lag, guesses = replace(machine, lag=0.0), [] if guess is None else [guess]
+    even = balanced_speed(machine)
+    if even is not None:
+        guesses.append((machine.cycle.panels, np.full(machine.cycle.inertia.shape, even)))
+    for each in guesses:
+        orbit = next_to(without_lag, each)
+        if orbit is None or not _draws(without_lag, orbit, None):
+            continue
+        if not machine.lag:
+            return orbit
+        speed = without_lag.speed(orbit.panels, orbit.y[0])
+        try:
+            return solve(machine.equations(), orbit.panels, machine.state(orbit.panels, speed), **machine.resolution)
+        except AccuracyError:
+            continue
+    return None
+
+
+def next_to(machine: OneMass, guess: Guess) -> Orbit | None:
+    """A stable periodic solution near a guess, of whatever origin."""
+    try:
+        orbit = solve(machine.equations(), guess[0], machine.state(*guess), **machine.resolution)
+    except AccuracyError:
+        return None
+    return orbit if abs(multipliers(orbit)[0]) < 1 else None
+
+
+def _draws(machine: OneMass, orbit: Orbit, other: Values | None) -> bool:
+    """Whether all motions between a regime and another speed draw together over a cycle.
+
+    The ``other`` speed (K, N) is on the panels of the orbit, by default the no-load speed.
+    """
+    cycle = onto(machine.cycle, orbit.panels)
+    omega = machine.speed(orbit.panels, orbit.y[0])
+    if other is None:
+        other = np.maximum(machine.reference, np.max(omega))
+    between = omega + BETWEEN * (other - omega)
+    rate = machine.gain(cycle, between) / between
+    return float(orbit.panels.total(np.max(rate, axis=0) / (cycle.inertia + machine.constant))) < 0
+
+
+def followed(machine: OneMass) -> Orbit | Halt:
+    """The regime that the motion from the no-load speed at theta = 0 settles in, or where it ends.
 
     Raises `AccuracyError` if neither shows within `TURNS` cycles, or a lagging motor swings too fast to be followed.
     """
-    found = directly(machine, guess)
-    if found is None:
-        _check_swings(machine)
-    return found or followed(machine)
+    _check_swings(machine)
+    edge = machine.cycle.panels.edges[:1]
+    inertia = float(_inertia_at(machine, edge)[0])
+    y = np.array([inertia * machine.reference**2 / 2, float(machine.characteristic.moment(machine.reference))])
+    y, tried = y[: machine.states], 0
+    last: _Leg | None = None
+    for turn in range(1, TURNS + 1):
+        leg = (_again(machine, last, y) if last is not None else None) or _turn(machine, y, turn)
+        if isinstance(leg, Halt):
+            return leg
+        # a machine may creep for hundreds of cycles through where a regime has just been lost: seldom tried is enough
+        if turn > SELDOM * tried:
+            tried, orbit = turn, _joined(machine, leg)
+            if orbit is not None:
+                return orbit
+        last, y = leg, leg.edges[:, -1]
+    raise AccuracyError(
+        f"the speed still changes after {TURNS} cycles from the no-load speed",
+        where="steady motion",
+        value=float(TURNS),
+        remedy="more resistance that grows with speed, a steeper motor characteristic, or less inertia",
+    )
 
 
 def _check_swings(machine: OneMass) -> None:
@@ -91,90 +154,6 @@ def _check_swings(machine: OneMass) -> None:
     )
 
 
-def directly(machine: OneMass, guess: Guess | None = None) -> Orbit | None:
-    """The regime reached from the no-load speed, if it is found as a periodic solution and known to be that.
-
-    Without lag first: motions without it keep their order, so the one found is known to be the regime or not.
-    """
-    without_lag, guesses = replace(machine, lag=0.0), [] if guess is None else [guess]
-    even = balanced_speed(machine)
-    if even is not None:
-        guesses.append((machine.cycle.panels, np.full(machine.cycle.inertia.shape, even)))
-    for each in guesses:
-        orbit = next_to(without_lag, each)
-        if orbit is None or not _draws(without_lag, orbit, None):
-            continue
-        if not machine.lag:
-            return orbit
-        speed = without_lag.speed(orbit.panels, orbit.y[0])
-        try:
-            return _solved(machine, orbit.panels, machine.state(orbit.panels, speed))
-        except AccuracyError:
-            continue
-    return None
-
-
-def next_to(machine: OneMass, guess: Guess) -> Orbit | None:
-    """A stable periodic solution near a guess, of whatever origin."""
-    try:
-        orbit = _solved(machine, guess[0], machine.state(*guess))
-    except AccuracyError:
-        return None
-    return orbit if abs(multipliers(orbit)[0]) < 1 else None
-
-
-def _solved(machine: OneMass, panels: Panels, guess: Values) -> Orbit:
-    return solve(
-        machine.equations(),
-        panels,
-        guess,
-        floor=machine.floor,
-        typical=machine.typical,
-        kinks=machine.kinks,
-        fixed=machine.cycle.panels.edges,
-        tolerance=max(TOLERANCE, machine.cycle.error, machine.tolerance / UNRESOLVED),
-    )
-
-
-def _draws(machine: OneMass, orbit: Orbit, other: Values | None) -> bool:
-    """Whether all motions between a regime and another speed draw together over a cycle.
-
-    The ``other`` speed (K, N) is on the panels of the orbit, by default the no-load speed.
-    """
-    cycle = onto(machine.cycle, orbit.panels)
-    omega = machine.speed(orbit.panels, orbit.y[0])
-    if other is None:
-        other = np.maximum(machine.reference, np.max(omega))
-    between = omega + BETWEEN * (other - omega)
-    rate = machine.gain(cycle, between) / between
-    return float(orbit.panels.total(np.max(rate, axis=0) / (cycle.inertia + machine.constant))) < 0
-
-
-def followed(machine: OneMass) -> Orbit | Halt:
-    """The regime that the motion from the no-load speed at theta = 0 settles in, or where it ends."""
-    edge = machine.cycle.panels.edges[:1]
-    inertia = float(_inertia_at(machine, edge)[0])
-    y = np.array([inertia * machine.reference**2 / 2, float(machine.characteristic.moment(machine.reference))])
-    y, tried = y[: machine.states], 0
-    last: _Leg | None = None
-    for turn in range(1, TURNS + 1):
-        leg = (_again(machine, last, y) if last is not None else None) or _turn(machine, y, turn)
-        if isinstance(leg, Halt):
-            return leg
-        # a machine may creep for hundreds of cycles through where a regime has just been lost: seldom tried is enough
-        if turn > SELDOM * tried:
-            tried, orbit = turn, _joined(machine, leg)
-            if orbit is not None:
-                return orbit
-        last, y = leg, leg.edges[:, -1]
-    raise AccuracyError(
-        f"the speed still changes after {TURNS} cycles from the no-load speed",
-        where="steady motion",
-        value=float(TURNS),
-        remedy="more resistance that grows with speed, a steeper motor characteristic, or less inertia",
-    )
-
-
 class _Leg(NamedTuple):
     """One cycle of a motion."""
 
@@ -186,7 +165,7 @@ class _Leg(NamedTuple):
 def _joined(machine: OneMass, leg: _Leg) -> Orbit | None:
     """The regime next to a motion, if the motion is bound to settle in it."""
     try:
-        orbit = _solved(machine, leg.panels, leg.y)
+        orbit = solve(machine.equations(), leg.panels, leg.y, **machine.resolution)
     except AccuracyError:
         return None
     energy = leg.panels.at(leg.y[0][None], orbit.panels.x.ravel()).reshape(orbit.y[0].shape)

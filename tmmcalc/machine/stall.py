@@ -12,7 +12,7 @@ from tmmcalc.core.numerics.collocation import Orbit
 from tmmcalc.machine.cycle import Cycle, place
 from tmmcalc.machine.driver import UNDRIVEN
 from tmmcalc.machine.onemass import SPEEDS, OneMass
-from tmmcalc.machine.settling import RUNAWAY, Guess, Halt, directly, next_to, settled
+from tmmcalc.machine.settling import RUNAWAY, Guess, Halt, directly, followed, next_to
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
@@ -95,7 +95,7 @@ def _carrying(machine: Machine, stalls: float) -> tuple[float, Orbit]:
 def _regime(machine: OneMass) -> Orbit | None:
     """The regime that a machine settles in, None if it stops or cannot be followed."""
     try:
-        found = settled(machine)
+        found = directly(machine) or followed(machine)
     except AccuracyError:
         return None
     return found if isinstance(found, Orbit) else None

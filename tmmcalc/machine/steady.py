@@ -17,7 +17,7 @@ from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.onemass import SPEEDS, OneMass, balanced_speed, check_inertia, onto
 from tmmcalc.machine.regime import Regime, multipliers, regime_of
-from tmmcalc.machine.settling import Guess, Halt, guessed, settled
+from tmmcalc.machine.settling import Guess, Halt, directly, followed, guessed
 from tmmcalc.machine.stall import check_mean_load, check_no_load, halted
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ def driven(
         check_mean_load(machine)
         check_no_load(machine)
     near = None if guess is None else guessed(machine, _guess(cycle, guess), guess.constant_inertia)
-    found = settled(machine, near)
+    found = directly(machine, near) or followed(machine)
     if isinstance(found, Halt):
         raise halted(machine, found)
     regime = regime_on(machine, found)

@@ -34,6 +34,12 @@ def solve_manipulator(task: ManipulatorTask) -> Manipulator:
     excesses = find_excesses(moved, task.limits)
     contacts = tuple(find_contacts(task, moved))
     angular = arm.kind == "angular"
+    residual = None
+    if not any(place.relative < SINGULAR for place in places):
+        # of the gripper from direct(inverse), each derivative against its largest value
+        size = np.max(np.abs(p), axis=(1, 2))
+        gap = np.max(np.abs(direct(arm, inverse(arm, p)) - p), axis=(1, 2))
+        residual = float(np.max(gap / np.where(size > 0, size, 1.0)))
     return Manipulator(
         arm=arm,
         inverse=route is not None,
@@ -60,18 +66,10 @@ def solve_manipulator(task: ManipulatorTask) -> Manipulator:
             *excess_grades(excesses),
             *contact_grades(contacts),
         ),
-        residual=None if any(place.relative < SINGULAR for place in places) else _residual(moved, p),
+        residual=residual,
         error=motion_errors(task, moved, rows.t, rows.side, p, q),
         counters={"rows": len(rows.t)},
     )
-
-
-def _residual(moved: Motion, p: Values) -> float:
-    """Largest difference of the gripper from direct(inverse), each derivative against its largest value."""
-    again = direct(moved.arm, inverse(moved.arm, p))
-    size = np.max(np.abs(p), axis=(1, 2))
-    gap = np.max(np.abs(again - p), axis=(1, 2))
-    return float(np.max(gap / np.where(size > 0, size, 1.0)))
 
 
 def _extremes(moved: Motion) -> tuple[TimedExtreme, ...]:

@@ -86,5 +86,5 @@ def _dense(run: RunResult, positions: int) -> Content:
             spec = make(run.spec, positions)
         except UsageError:
             continue  # there is no mechanism: a diagram stands in its place
-        results[name] = found[name] = own.solve(*arguments(own.inputs(spec)), **own.given(results), **own.settings)
+        results[name] = found[name] = own.solved(*arguments(own.inputs(spec)), **own.given(results), **own.settings)
     return found

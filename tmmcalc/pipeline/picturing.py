@@ -52,7 +52,7 @@ def order_of(spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | No
 
     def solved(name: str) -> Any:
         own = STAGES[name]
-        return own.solve(*arguments(own.inputs(spec)), **upstream_of(own, results))
+        return own.solved(*arguments(own.inputs(spec)), **upstream_of(own, results))
 
     return Order(spec, results, flags, solved, parse_spec)
 

@@ -6,9 +6,9 @@ not see the same numbers to the last bit. Without an output folder nothing is ha
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.core.plan import Plan, Step, known_stage, plan
@@ -21,15 +21,17 @@ from tmmcalc.rooms import STAGES
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from tmmcalc.core.stored import Record
     from tmmcalc.pipeline.archive import Archive
 
 Settings = Mapping[str, Mapping[str, Any]]
+Target = str | Sequence[str] | None
 
 
 def run(
     spec: object,
     *,
-    target: str | Sequence[str] | None = None,
+    target: Target = None,
     scene: Plan | None = None,
     out: Path | None = None,
     fresh: bool = False,
@@ -82,11 +84,13 @@ def run(
 
     for reasons in (forced, afresh := dict.fromkeys(stages, "stored files do not fit")):
         try:
-            done = asked
-            if first is not None and work.settle(first, reasons):
-                done = planned(work.spec, target, stages, skip, first)
-                _check_target(done)
-            work.through(done, reasons)
+            for each in work.missing(first, asked, target, skip, reasons):
+                try:
+                    with believed(each.reads):
+                        record = each.stage.dump(each.stage.solve(*each.given, **each.keywords))
+                    work.computed(each, record)
+                except TmmError as error:
+                    work.failed(each.stage, error, each.began)
             break
         except UnfitError as error:
             if reasons is afresh:
@@ -100,9 +104,22 @@ def run(
         if archive is not None:
             archive.write_tables(work.outcomes, further)
     if archive is not None and target is None:
-        archive.clear(plan(work.spec, None, stages).running if skip else done.running, work.tell)
+        archive.clear(plan(work.spec, None, stages).running if skip else work.scene.running, work.tell)
     files = () if archive is None else archive.files(work.outcomes)
-    return RunResult(work.outcomes, done, tuple(work.events), files, work.failures, work.spec, work.told, work.alone)
+    return RunResult(
+        work.outcomes, work.scene, tuple(work.events), files, work.failures, work.spec, work.told, work.alone
+    )
+
+
+class Missing(NamedTuple):
+    """A stage that has to be computed."""
+
+    stage: Stage
+    given: tuple[Any, ...]  # arguments of its function
+    keywords: Mapping[str, Any]
+    reads: Sequence[Outcome]  # those of the stages that it reads
+    reason: str  # why it is not loaded
+    began: float  # on the clock of the run [s]
 
 
 class _Run:
@@ -128,6 +145,7 @@ class _Run:
         self.on_event = on_event
         self.by_name = by_name
         self.archive: Archive | None = None
+        self.scene = Plan(None, ())  # the plan of all that runs
         self.outcomes: dict[str, Outcome] = {}
         self.events: list[Event] = []
         self.failures: dict[str, TmmError] = {}
@@ -135,8 +153,25 @@ class _Run:
         self.alone: dict[str, Any] = {}  # of stages that settled the spec the result with the one that was taken
         self._lost: set[str] = set()
 
-    def through(self, scene: Plan, forced: Mapping[str, str]) -> None:
-        """Load or compute every stage of a plan; ``forced`` says why some are computed whatever is stored."""
+    def missing(
+        self, first: Stage | None, asked: Plan, target: Target, skip: Collection[str], forced: Mapping[str, str]
+    ) -> Iterator[Missing]:
+        """The stages that have to be computed, each with what it reads; those whose files are valid are loaded.
+
+        What the ``first`` one found goes into the spec before the others are planned. ``forced`` says why some are
+        computed whatever is stored.
+        """
+        self.scene = asked
+        if first is not None:
+            step = Step(first.name, first.title, True, "settles the spec")
+            yield from self._missing(Plan(None, (step,)), forced)
+            if first.name in self.outcomes:
+                self.settle(first)
+                self.scene = planned(self.spec, target, self.stages, skip, first)
+                _check_target(self.scene)
+        yield from self._missing(self.scene, forced)
+
+    def _missing(self, scene: Plan, forced: Mapping[str, str]) -> Iterator[Missing]:
         own, archive = of_scene(self.stages, self.spec), self.archive
         for name in scene.running:
             if (unfit := own[name].part("unfit")) and (fault := unfit(self.spec, scene)) is not None:
@@ -153,40 +188,40 @@ class _Run:
             try:
                 if archive is not None:
                     outcome, reason = archive.valid(stage, inputs, chosen, forced.get(stage.name), self.tell)
-                loaded = outcome is not None
-                if outcome is None:
-                    outcome = self.computed(stage, inputs, chosen)
-                if self.tolerance is not None:
-                    check_accuracy(outcome, self.tolerance)
+                if outcome is not None:
+                    self.note(outcome, "loaded", reason, began)
+                    continue
+                read = upstream_of(stage, Results(self.outcomes, self.alone))
+                outcomes = [self.outcomes[name] for name in read if name in self.outcomes]
+                less = stage.by_name if self.by_name else {}
+                with believed(outcomes):
+                    given, keywords = stage.called(*arguments(inputs), **read, **chosen, **less)
             except TmmError as error:
-                if not self.keep_going or error.exit_code < NoSolutionError.exit_code:
-                    raise
-                self.failed(stage, error, perf_counter() - began)
+                self.failed(stage, error, began)
                 continue
-            self.outcomes[stage.name] = outcome
-            self.tell(Event(stage.name, "loaded" if loaded else "computed", reason, perf_counter() - began))
+            yield Missing(stage, given, keywords, outcomes, reason, began)
 
-    def computed(self, stage: Stage, inputs: Any, chosen: Mapping[str, Any]) -> Outcome:
+    def computed(self, each: Missing, record: Record) -> None:
         """What goes on of a result, stored where there is an archive: its record."""
-        upstream = upstream_of(stage, Results(self.outcomes, self.alone))
-        less = stage.by_name if self.by_name else {}
-        with believed([self.outcomes[name] for name in upstream if name in self.outcomes]):
-            record = stage.dump(stage.solve(*arguments(inputs), **upstream, **chosen, **less))
-        outcome = Outcome(stage, lambda: record)
+        outcome = Outcome(each.stage, lambda: record)
         if self.archive is not None:
             self.archive.save(outcome)
-        return outcome
+        self.note(outcome, "computed", each.reason, each.began)
+
+    def note(self, outcome: Outcome, how: Literal["loaded", "computed"], reason: str, began: float) -> None:
+        """Keep the outcome of a stage, if it is as exact as is asked for, and tell so."""
+        if self.tolerance is not None:
+            check_accuracy(outcome, self.tolerance)
+        self.outcomes[outcome.stage.name] = outcome
+        self.tell(Event(outcome.stage.name, how, reason, perf_counter() - began))
 
     @property
     def known(self) -> set[str]:
         """The stages of which it is known what became of them."""
         return {*self.outcomes, *self.failures}
 
-    def settle(self, stage: Stage, forced: Mapping[str, str]) -> bool:
-        """Do a stage first, and put what it found into the spec; False where it found nothing."""
-        self.through(Plan(None, (Step(stage.name, stage.title, True, "settles the spec"),)), forced)
-        if stage.name not in self.outcomes:
-            return False
+    def settle(self, stage: Stage) -> None:
+        """Put what a stage found into the spec."""
         result, chosen = self.outcomes[stage.name].result, stage.part("chosen")
         number = None if chosen is None else chosen(self.spec, result, _another)
         found = stage.part("found")(self.spec, result, number)
@@ -194,7 +229,6 @@ class _Run:
         self.alone[stage.name] = found.alone
         key = f"{stage.asked[0]}.choose"
         self.told = (*self.told, f"note: the mechanism is {found.of}; --set {key}=N takes another")
-        return True
 
     def begin_afresh(self, spec: object, error: UnfitError) -> None:
         """Forget what was loaded."""
@@ -226,11 +260,13 @@ class _Run:
             self.tell(Event(stage.name, "lost", f"it reads {', '.join(missing)}"))
         return bool(missing)
 
-    def failed(self, stage: Stage, error: TmmError, seconds: float) -> None:
-        """Keep the error of a stage without a result for the end, and tell so."""
+    def failed(self, stage: Stage, error: TmmError, began: float) -> None:
+        """Keep the error of a stage without a result for the end, and tell so; raises it unless the run goes on."""
+        if not self.keep_going or error.exit_code < NoSolutionError.exit_code:
+            raise error
         self.failures[stage.name] = error
         self._lost.add(stage.name)
-        self.tell(Event(stage.name, "failed", "no result: the error stands at the end", seconds))
+        self.tell(Event(stage.name, "failed", "no result: the error stands at the end", perf_counter() - began))
 
 
 def upstream_of(stage: Stage, results: Mapping[str, Any]) -> dict[str, Any]:

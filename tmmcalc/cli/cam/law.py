@@ -6,8 +6,10 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.makers import Solved, named_columns, of_stage
+from tmmcalc.cli.job import of_stage
+from tmmcalc.cli.makers import named_columns
 from tmmcalc.cli.options import Columns, Positions, patterns_of
+from tmmcalc.cli.output import Solved
 from tmmcalc.core.errors import UsageError
 from tmmcalc.report.document import Document
 from tmmcalc.report.rows import rows_of

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmmcalc.cli.exporting import Chord, Dxf, Files, Nc, Svg, check_files, contents_of, files_of, write_files
-from tmmcalc.cli.job import Job
-from tmmcalc.cli.makers import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
 from tmmcalc.cli.output import table_file, title
 

@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tmmcalc.cli.gears.known import check_pair
-from tmmcalc.cli.makers import Solved, of_stage
+from tmmcalc.cli.job import Job, of_stage
+from tmmcalc.cli.output import Solved
 from tmmcalc.report.document import Document
 
+if TYPE_CHECKING:
+    from tmmcalc.project import Spec
 
-@of_stage("blocking", "blocking contours", check_pair)
+
+def _asked(job: Job, *, pair: str | None) -> tuple[Job, Spec]:
+    scene = job.spec()
+    check_pair(scene, pair)
+    return job, scene
+
+
+@of_stage("blocking", "blocking contours", _asked)
 def command(
     solved: Solved,
     pair: Annotated[

@@ -54,7 +54,7 @@ def of_wheel(scene: Spec, choose: int | None, pair: str | None, wheel: str | Non
     return True
 
 
-def check_pair(scene: Spec, pair: str | None, **_: object) -> None:
+def check_pair(scene: Spec, pair: str | None) -> None:
     """Raise `UsageError` for a pair that no run of this spec has."""
     wheels = None if pair is None else _wheels(scene)
     if wheels is not None:

@@ -8,8 +8,7 @@ import typer
 
 from tmmcalc.cli.gears.drawn import length_of
 from tmmcalc.cli.gears.known import Row, check_pair, of_pairs, of_wheel
-from tmmcalc.cli.job import Job
-from tmmcalc.cli.makers import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.output import title
 

@@ -2,26 +2,33 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tmmcalc.cli.gears.drawn import length_of
 from tmmcalc.cli.gears.known import Row, check_pair, of_pairs
-from tmmcalc.cli.job import Job
-from tmmcalc.cli.makers import with_flags
-from tmmcalc.cli.options import Form, Format
-from tmmcalc.cli.output import title
+from tmmcalc.cli.job import Job, of_stage
+from tmmcalc.cli.output import Solved
+from tmmcalc.report.document import Document
+
+if TYPE_CHECKING:
+    from tmmcalc.project import Spec
 
 
 def _length(text: str) -> float:
     return length_of(text, "--sliding-step", "2 mm")
 
 
-@with_flags
+def _asked(job: Job, *, pair: str | None, choose: int | None, **others: object) -> tuple[Job, Spec]:
+    job, scene = of_pairs(job, job.spec(), choose)
+    check_pair(scene, pair)
+    return job, scene
+
+
+@of_stage("pair", "pairs of gears", _asked)
 def command(
-    job: Job,
-    form: Form = Format.table,
+    solved: Solved,
     pair: Annotated[
         str | None,
         typer.Option("--pair", metavar="NAME", help="This pair alone, where there are several.", show_default=False),
@@ -41,7 +48,7 @@ def command(
         bool,
         typer.Option("--angles", help="Instead: every intermediate angle, involute and length, formulas with numbers."),
     ] = False,
-) -> None:
+) -> Document:
     """Pairs of gears: shifts, centre distance, radii, contact ratios, sliding; every condition with its margin.
 
     Of a [train] every mesh of the tooth set that was chosen. The table shows the radii; --format csv prints the
@@ -50,15 +57,11 @@ def command(
 
     Example: tmmcalc gears pair my.toml --pair 1-2 --sliding-step '2 mm'
     """
-    job, scene = of_pairs(job, job.spec(), choose)
-    check_pair(scene, pair)
-    run = job.run(scene, "pair")
     from tmmcalc.gears.facts.pair import chosen_pairs, document
 
-    result, heading = chosen_pairs(run.results["pair"], pair), title(scene, job.file, "pairs of gears")
+    result = chosen_pairs(solved.result, pair)
     if angles:
         from tmmcalc.gears.facts.angles import angles_document
 
-        job.finish(angles_document(result, heading, everything=form is not Format.table), run, form)
-        return
-    job.finish(document(result, heading, everything=form is not Format.table, step=step), run, form)
+        return angles_document(result, solved.title, everything=solved.everything)
+    return document(result, solved.title, everything=solved.everything, step=step)

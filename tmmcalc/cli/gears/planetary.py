@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import typer
 
 from tmmcalc.cli.gears.known import Row, of_row
-from tmmcalc.cli.job import Job
-from tmmcalc.cli.makers import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.output import show, title
 from tmmcalc.core.errors import UsageError

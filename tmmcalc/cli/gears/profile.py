@@ -12,8 +12,7 @@ import typer
 from tmmcalc.cli.exporting import Dxf, Svg, files_of, write_files
 from tmmcalc.cli.gears.drawn import Drawn, angle_of, check_flags, drawn_bytes, length_of, tracks_of
 from tmmcalc.cli.gears.known import check_wheel, of_wheel
-from tmmcalc.cli.job import Job
-from tmmcalc.cli.makers import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.output import title
 from tmmcalc.core.errors import UsageError

@@ -6,7 +6,8 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.makers import Solved, of_stage
+from tmmcalc.cli.job import of_stage
+from tmmcalc.cli.output import Solved
 from tmmcalc.report.document import Document
 
 

@@ -93,7 +93,7 @@ def solve(
         for target in (ROUGH, CLOSE):
             settled = newton(scheme, now.width, rates, closing, state, scale, target, step)
             state, step, steps = settled.state, settled.step, steps + settled.iterations
-            look = _look(scheme, now, state, rates, scale, kinks, np.zeros(m) if noise is None else noise)
+            look = _look(scheme, now, state, rates(state.y), scale, kinks, np.zeros(m) if noise is None else noise)
             rough = look.rough(now, tolerance, target == CLOSE)
             if rough.any():
                 break
@@ -131,9 +131,16 @@ class _Look(NamedTuple):
 
 
 def _look(
-    scheme: Radau, mesh: Panels, state: State, rates: Rates, scale: Measure, kinks: Kinks | None, noise: Values
+    scheme: Radau,
+    mesh: Panels,
+    state: State,
+    at: tuple[Values, Values, Values],
+    scale: Measure,
+    kinks: Kinks | None,
+    noise: Values,
 ) -> _Look:
-    f, jacobian, watched = rates(state.y)
+    """How a state with its rates ``at`` the points is resolved."""
+    f, jacobian, watched = at
     x = mesh.edges[:-1, None] + mesh.width[:, None] * scheme.points
     bends = kinks(x, watched) if kinks else np.empty(0)
     return _Look(jacobian, *_roughness(scheme, mesh, state, f, jacobian, watched, scale, noise), bends)

@@ -23,7 +23,7 @@ from tmmcalc.machine.flywheel.search import Model, inertia_between, least_inerti
 from tmmcalc.machine.motors.characteristics import Characteristic
 from tmmcalc.machine.onemass import OneMass, vanishing
 from tmmcalc.machine.regime import Regime
-from tmmcalc.machine.settling import Halt, guessed, settled
+from tmmcalc.machine.settling import Halt, directly, followed, guessed
 from tmmcalc.machine.stall import stall_inertia
 from tmmcalc.machine.steady import driven, regime_on
 
@@ -96,7 +96,7 @@ class Motions:
         if self._known:
             beside = min(self._known, key=lambda each: abs(each - inertia))
             guess = guessed(machine, self._known[beside], beside)
-        orbit = settled(machine, guess)
+        orbit = directly(machine, guess) or followed(machine)
         if isinstance(orbit, Halt):
             return None
         omega = machine.speed(orbit.panels, orbit.y[0])

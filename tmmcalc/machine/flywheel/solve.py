@@ -39,35 +39,29 @@ class Machine:
     sense: float = 1.0  # of the input's motion: -1 clockwise
 
 
-def solve_flywheel(machine: Machine, *, tried: bool = True) -> Flywheel:
+def solve_flywheel(machine: Machine, comparison: Comparison | None = None, *, tried: bool = True) -> Flywheel:
     """The flywheel that keeps ``task.delta`` [-], by all methods; ``tried``: what each of them really leads to as well.
 
-    Raises `NoSolutionError` where no inertia lets the motor carry the load.
+    ``comparison`` is that of the methods where a search found it, of which none is tried. Raises `NoSolutionError`
+    where no inertia lets the motor carry the load.
     """
-    cycle, driver, delta = machine.cycle, machine.driver, machine.task.delta
-    assert delta is not None
-    comparison = compared(
-        cycle,
-        machine.at_hand.total,
-        delta,
-        speed=machine.speed if driver is None else None,
-        characteristic=driver.characteristic if driver is not None else None,
-        time_constant=driver.time_constant if driver is not None else 0.0,
-        sense=machine.sense,
-        tried=tried,
-    )
-    if not tried:
-        return flywheel_of(machine, comparison)
-    required = comparison.required
-    stalls = required is not None and Trial(machine.at_hand.total, None) in required.trials
-    return flywheel_of(machine, comparison, () if stalls else _history(cycle, driver, delta, machine.at_hand))
-
-
-def flywheel_of(machine: Machine, comparison: Comparison, history: tuple[Trial, ...] = ()) -> Flywheel:
-    """The result from the methods side by side and the correction of the textbook, if that was tried."""
     cycle, at_hand, task, driver = machine.cycle, machine.at_hand, machine.task, machine.driver
-    speed, ratio = machine.speed, machine.ratio
+    history: tuple[Trial, ...] = ()
     assert task.delta is not None
+    if comparison is None:
+        comparison = compared(
+            cycle,
+            at_hand.total,
+            task.delta,
+            speed=machine.speed if driver is None else None,
+            characteristic=driver.characteristic if driver is not None else None,
+            time_constant=driver.time_constant if driver is not None else 0.0,
+            sense=machine.sense,
+            tried=tried,
+        )
+        if tried:
+            history = _history(cycle, driver, task.delta, at_hand, comparison.required)
+    speed, ratio = machine.speed, machine.ratio
     required = comparison.required
     exact = comparison.rows[0].positional
     addition = required.addition if required is not None else exact.addition
@@ -119,9 +113,12 @@ def _inexact(cycle: Cycle, exact: FlywheelMethod, at_hand: float, delta: float, 
     )
 
 
-def _history(cycle: Cycle, driver: Driver | None, delta: float, at_hand: ConstantInertia) -> tuple[Trial, ...]:
+def _history(
+    cycle: Cycle, driver: Driver | None, delta: float, at_hand: ConstantInertia, required: RequiredInertia | None
+) -> tuple[Trial, ...]:
     """The textbook's correction, where there is a constant inertia to correct and the machine runs with it."""
-    if driver is None or at_hand.total <= 0:
+    stalls = required is not None and Trial(at_hand.total, None) in required.trials
+    if stalls or driver is None or at_hand.total <= 0:
         return ()
     from tmmcalc.machine.flywheel.required import fluctuation
     from tmmcalc.machine.flywheel.search import corrections

@@ -10,10 +10,10 @@ from tmmcalc.core.mistake import SOMETIMES, Mistake
 
 def _amiss(solve: Callable[..., Any], *given: Any, **upstream: Any) -> Any:
     from tmmcalc.machine.flywheel.other import of_total
-    from tmmcalc.machine.stages.flywheel import machine_of
+    from tmmcalc.machine.stages.flywheel import task
 
     less = {key: upstream[key] for key in ("reduction", "power")}
-    found, machine = solve(*given, **upstream), machine_of(given, less)
+    found, machine = solve(*given, **upstream), task(*given, **less)
     return of_total(machine, found, found.inertia * machine.speed)
 
 

@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tmmcalc.core.stage import said
 from tmmcalc.machine.flywheel.results import Flywheel
-from tmmcalc.machine.flywheel.solve import Machine, flywheel_of, solve_flywheel
+from tmmcalc.machine.flywheel.solve import Machine
 from tmmcalc.machine.model import FlywheelTask, MotionTask, MotorChoice
 from tmmcalc.machine.wanted import NO_REGIME, constant_moment, curved
 
 if TYPE_CHECKING:
     from tmmcalc.machine.driver import ConstantInertia, Driver
-    from tmmcalc.machine.flywheel.results import Comparison
     from tmmcalc.machine.flywheel.worked import Paper, Worked
     from tmmcalc.machine.room import MachineTables
 
 
 kind = Flywheel
+solve = "tmmcalc.machine.flywheel.solve:solve_flywheel"
 found = "tmmcalc.machine.tables.found:of_flywheel"
 
 
@@ -42,29 +42,19 @@ def inputs(spec: MachineTables) -> Given:
     return task, to_motor(spec), to_motion(spec)
 
 
-def solve(*given: *Given, tried: bool = True, **upstream: Any) -> Flywheel:
-    """All methods, and the wheel itself."""
-    return solve_flywheel(machine_of(given, upstream), tried=tried)
-
-
-def of_search(given: Given, upstream: Mapping[str, Any], comparison: Comparison) -> Flywheel:
-    """The same from the methods beside what a search found, none of them tried under the motor."""
-    return flywheel_of(machine_of(given, upstream), comparison)
-
-
-def machine_of(given: Given, upstream: Mapping[str, Any]) -> Machine:
+def task(*given: *Given, **upstream: Any) -> Machine:
     """The machine without a flywheel, and what is asked of one."""
     from tmmcalc.machine.stages.shaft import equal_steps, motor_ratio, sense, shaft_ratio
 
-    task, machine = given[0], asked(given, upstream)
+    wheel, machine = given[0], asked(given, upstream)
     reduction, power = upstream["reduction"], upstream["power"]
     return Machine(
         reduction.cycle,
         machine.at_hand,
-        task,
+        wheel,
         machine.driver,
         machine.speed,
-        shaft_ratio(task, power),
+        shaft_ratio(wheel, power),
         motor_ratio(power),
         equal_steps(reduction),
         sense(reduction),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tmmcalc.core.conversion import plain
@@ -11,7 +10,7 @@ from tmmcalc.core.stage import said
 from tmmcalc.linkage.wanted import NO_CSV, is_long
 from tmmcalc.machine.columns import motion_columns
 from tmmcalc.machine.model import FlywheelTask, MotionTask, MotorChoice
-from tmmcalc.machine.motion import Motion
+from tmmcalc.machine.motion import Existing, Motion, Positions, existing
 from tmmcalc.machine.wanted import NO_REGIME, constant_moment, curved
 
 if TYPE_CHECKING:
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
 NO_WHEEL = "no [flywheel]: the motion has none"
 
 kind = Motion
+solve = "tmmcalc.machine.motion:solve_motion"
 columns = motion_columns
 declares = ("tmmcalc.linkage.columns:PHI", "tmmcalc.machine.stepwise", "tmmcalc.machine.flywheel.rim")
 
@@ -48,41 +48,25 @@ def inputs(spec: MachineTables) -> Given:
     return to_motor(spec), to_motion(spec), to_flywheel(spec), speed_key(spec)
 
 
-def solve(*given: *Given, tolerance: float, **upstream: Any) -> Motion:
-    """The regime with the flywheel that is there, or else the one that was found."""
-    from tmmcalc.machine.motion import Positions, solve_motion
-
-    machine = asked(given, upstream)
-    reduction = upstream["reduction"]
-    found = solve_motion(
-        reduction.cycle,
-        reduction.idle,
-        machine.inertia,
-        machine.driver,
-        machine.speed,
-        Positions.of(reduction),
-        given[3],
-        undriven=given[1].undriven,
-        tolerance=tolerance,
-    )
-    return with_wheel(found, given[2], upstream)
+def task(*given: *Given, **upstream: Any) -> tuple[Any, ...]:
+    """The cycle with its idle one, what the regime is of, the positions, and the flywheel that is there."""
+    machine, reduction = asked(given, upstream), upstream["reduction"]
+    of_regime = (reduction.cycle, reduction.idle, machine.inertia, machine.driver, machine.speed)
+    return (*of_regime, Positions.of(reduction), given[3], given[1].undriven, there(given[2], upstream))
 
 
-def with_wheel(found: Motion, task: FlywheelTask | None, upstream: Mapping[str, Any]) -> Motion:
-    """The motion with what speaks against the flywheel that is there."""
-    wheel = wheel_of(found, task, upstream)
-    return found if wheel is None else replace(found, verdicts=(*wheel.verdicts, *found.verdicts))
-
-
-def wheel_of(found: Motion, task: FlywheelTask | None, upstream: Mapping[str, Any]) -> Wheel | None:
-    """The flywheel that is there, if a size of it is given: its rim follows from its inertia, at the largest speed."""
-    if task is None or not task.inertia or task.diameter is task.width is task.thickness is None:
+def there(wheel: FlywheelTask | None, upstream: Mapping[str, Any]) -> Existing | None:
+    """The flywheel that is there, if a size of it is given."""
+    if wheel is None or not wheel.inertia or wheel.diameter is wheel.width is wheel.thickness is None:
         return None
-    from tmmcalc.machine.flywheel.placement import wheels
     from tmmcalc.machine.stages.shaft import shaft_ratio
 
-    ratio = shaft_ratio(task, upstream["power"])
-    return wheels(task, found.inertia.flywheel, found.regime.omega_max, ratio, None)[0]
+    return Existing(wheel, shaft_ratio(wheel, upstream["power"]))
+
+
+def wheel_of(found: Motion, wheel: FlywheelTask | None, upstream: Mapping[str, Any]) -> Wheel | None:
+    """The flywheel that is there, as it turns in the motion that was found."""
+    return existing(there(wheel, upstream), found.inertia.flywheel, found.regime.omega_max)
 
 
 def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
