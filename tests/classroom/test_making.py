@@ -7,6 +7,7 @@ import itertools
 import math
 import re
 import shutil
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ import pytest
 
 from tmmcalc.batch.table import row_of
 from tmmcalc.classroom import choosing, judging
-from tmmcalc.classroom.choosing import Chooser
+from tmmcalc.classroom.choosing import Chooser, Sought
 from tmmcalc.classroom.clashing import clashes_of
 from tmmcalc.classroom.document import class_document
 from tmmcalc.classroom.draws import Candidate, candidate
@@ -152,6 +153,21 @@ def test_what_many_are_judged_by_is_what_each_is_judged_by() -> None:
         number: each and each.demand for number, each in alone.items()
     }
     assert 5 <= sum(each is None for each in alone.values()) <= 55
+
+
+def test_presses_whose_ram_turns_twice_are_judged_together_though_most_turn_four_times() -> None:
+    """Those beyond the limit position of the knuckle have four dead centres, no stroke ratio, and are solved alone."""
+    judge = Judge(PRESS, 1)
+    every = [one for number in range(48) if not (one := candidate(judge.drawn, 7, number)).missing]
+    together = judge.at_once(every)
+    judged = {number: each for number, each in together.items() if each is None or "turn" not in each.demand}
+    assert len(judged) >= 5
+    some = [one for one in every if one.number in judged][:4]
+    values = [key for key in judge.asked if key.stage in ("kinematics", "forces")]
+    for row in judge.whole(some):
+        refusal, cheap = judge.verdict(row).refusal, judged[row.point]
+        assert cheap is None or (refusal is not None and refusal.demand == cheap.demand)
+        assert {each.key for each in values} <= {*row.names}
 
 
 def test_more_are_drawn_later_and_those_given_out_stay(twelve: tuple[Path, Made], tmp_path: Path) -> None:
@@ -433,7 +449,10 @@ def test_a_small_assignment_is_drawn_out(tmp_path: Path) -> None:
 def test_a_mistake_that_gives_the_right_answer_removes_a_variant_or_is_told() -> None:
     """One clashes for one crank of nine, one always: the first is avoided, the second is told."""
 
-    def pairs(candidates: Sequence[Candidate]) -> dict[int, list[tuple[str, str]]]:
+    asked: list[Sought | None] = []
+
+    def pairs(candidates: Sequence[Candidate], sought: Sought | None) -> dict[int, list[tuple[str, str]]]:
+        asked.append(sought)
         return {
             each.number: [("K", "always"), *([("H", "now and then")] if each.values[0] == 220 else [])]
             for each in candidates
@@ -445,6 +464,10 @@ def test_a_mistake_that_gives_the_right_answer_removes_a_variant_or_is_told() ->
     cranks = {int(each.assignments[0].partition('="')[2].removesuffix(' mm"')) for each in choice.chosen}
     assert 220 not in cranks
     assert choice.refused["H: no mistake that gives the right answer"] > 0
+    probed = asked.index(next(sought for sought in asked if sought is not None))
+    assert asked[:probed] == [None] * choosing.PROBED  # one good candidate at a time, of which all are asked
+    assert {sought.unavoided for sought in asked[probed:] if sought} == {choice.unavoided}
+    assert {tuple(sought.counts) for sought in asked[probed:] if sought} <= {(), ("now and then",)}
 
 
 @pytest.mark.slow
@@ -461,6 +484,14 @@ def test_known_mistakes_are_found_side_by_side(tmp_path: Path, monkeypatch: pyte
         found = {(one.items[item].name, mistakes[at].name) for at, item in clashes(key, one.items)}
         assert found <= {*one.own.unavoided}
     assert read_class(tmp_path / "1") == one.own
+    judge, own = Judge(SHAPER, 1), one.own.variants[0]
+    first = candidate(judge.drawn, 7, own.candidate)
+    every = clashes_of(judge)([first], None)[own.candidate]
+    assert {*every} <= {*one.own.unavoided}
+    some = clashes_of(judge)([first], Sought((), Counter(mistake for _, mistake in every)))[own.candidate]
+    assert some
+    assert {*some} == {pair for pair in every if pair[1] == some[0][1]}  # all items of the first mistake
+    assert clashes_of(judge)([first], Sought(tuple(every), {}))[own.candidate] == []
     later = make_class(SHAPER, tmp_path / "1", 5, jobs=1, clashes=clashes_of)
     assert later.own.unavoided == one.own.unavoided
 
