@@ -14,7 +14,7 @@ from tmmcalc.classroom.model import Item, Keybook
 from tmmcalc.classroom.state import Class
 from tmmcalc.project import load_spec
 
-SHAPER = Path(__file__).parents[2] / "configs" / "class-shaper.toml"
+SHAPER = Path(__file__).parents[2] / "configs" / "assignment-shaper.toml"
 TITLE = 'Shaper & <b>co</b> ]]> {x} "1/2"'
 STUDENTS = ("Шевченко Тарас", 'Olena <Kovač> & "Co" ]]>')
 

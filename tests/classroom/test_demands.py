@@ -16,7 +16,7 @@ from tmmcalc.classroom.judging import Judge
 from tmmcalc.design.model import Answers, Model
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask
 
-SHAPER = Path(__file__).parents[2] / "configs" / "class-shaper.toml"
+SHAPER = Path(__file__).parents[2] / "configs" / "assignment-shaper.toml"
 
 
 def limits(rule: str = "", margin: float = 0.1) -> Limits:

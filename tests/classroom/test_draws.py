@@ -14,7 +14,7 @@ from tmmcalc.core.errors import SpecError
 from tmmcalc.project import load_spec
 
 CONFIGS = Path(__file__).parents[2] / "configs"
-SHAPER = CONFIGS / "class-shaper.toml"
+SHAPER = CONFIGS / "assignment-shaper.toml"
 
 
 def drawn(file: Path) -> tuple[Drawn, ...]:

@@ -30,8 +30,8 @@ from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
 
 CONFIGS = Path(__file__).parents[2] / "configs"
-SHAPER = CONFIGS / "class-shaper.toml"
-PRESS = CONFIGS / "class-press.toml"
+SHAPER = CONFIGS / "assignment-shaper.toml"
+PRESS = CONFIGS / "assignment-course-project.toml"
 
 
 def contents(folder: Path) -> dict[str, bytes]:

@@ -72,7 +72,7 @@ def test_what_is_drawn_is_found_and_nothing_else(school: School) -> None:
 
 def test_the_task_of_the_press_tells_all_that_is_drawn() -> None:
     """Of what is solved too: phases of the cam, of which the last follows from the others; the rest is common."""
-    own, further = traced(SHAPER.with_name("class-press.toml"))
+    own, further = traced(SHAPER.with_name("assignment-course-project.toml"))
     names = {name for _, keys in own for name in keys}
     assert further == ()
     assert names >= {"l_{OA}", "l_{AB}", "l_{CB}", "l_{BD}", "n_1", "m_5", "k", "delta_0", "h", "phi_y", "phi_b"}

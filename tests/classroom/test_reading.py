@@ -106,6 +106,14 @@ def test_the_long_form(tmp_path: Path) -> None:
     assert (second.answers[2].text, second.answers[2].fault) == ("abc", "no number")
 
 
+def test_a_column_of_names_is_that_of_items_where_they_stand_in_it(tmp_path: Path) -> None:
+    """A table of students has a column of names too."""
+    found = only(written(tmp_path, "5.csv", "name;unit;value\nH;cm;12.05\nK;;1.213\n"))
+    assert (found.number, values(found)[0], values(found)[2]) == (5, 120.5, 1.213)
+    pile = read(written(tmp_path, "all.csv", "name;item;value\nБондар Іван;H;120.5\n;K;1.213\n"))
+    assert [(each.number, values(each)[2]) for each in pile.hand_ins] == [(1, 1.213)]
+
+
 @pytest.mark.parametrize(
     "name", ["5.csv", "05-x.csv", "variant5.csv", "Варіант 5.csv", "шевчук.csv", "Олег Шевчук_лаб2.csv"]
 )

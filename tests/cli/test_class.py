@@ -20,7 +20,7 @@ CONFIGS = Path(__file__).parents[2] / "configs"
 
 @pytest.fixture
 def shaper(folder: Path) -> Path:
-    return Path(shutil.copy(CONFIGS / "class-shaper.toml", folder / "shaper.toml"))
+    return Path(shutil.copy(CONFIGS / "assignment-shaper.toml", folder / "shaper.toml"))
 
 
 def test_a_class_is_made_and_told(cli: Cli, shaper: Path) -> None:

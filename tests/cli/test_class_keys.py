@@ -19,7 +19,7 @@ KEYS = Path("class/keys/keys.toml")
 @pytest.fixture
 def made(cli: Cli) -> Cli:
     """A class of two in the folder ``class``."""
-    shutil.copy(CONFIGS / "class-shaper.toml", "assignment.toml")
+    shutil.copy(CONFIGS / "assignment-shaper.toml", "assignment.toml")
     assert cli("class", "make", "assignment.toml", "-n", "2", "--seed", "7", "-o", "class", "-q")[0] == 0
     return cli
 
@@ -51,7 +51,7 @@ def test_all_variants_for_programs_and_one_that_is_asked_for(made: Cli) -> None:
 
 def test_printed_keys_lose_no_column(cli: Cli, folder: Path) -> None:
     """At 80 characters, with a long name: value, unit and tolerance are there, and what each name is."""
-    text = (CONFIGS / "class-shaper.toml").read_text(encoding="utf-8")
+    text = (CONFIGS / "assignment-shaper.toml").read_text(encoding="utf-8")
     name = "angular velocity of the slotted link in position 4"
     Path("assignment.toml").write_text(
         text.replace('name = "omega_3"', f'name = "{name}"\neither_sense = true').replace(

@@ -20,7 +20,7 @@ ROSTER = "km-01@example.org\nkm-02@example.org\n=1+1@example.org\n"
 @pytest.fixture
 def made(cli: Cli) -> Cli:
     """A class of three by a roster of addresses, with sheets as text."""
-    text = (CONFIGS / "class-shaper.toml").read_text(encoding="utf-8")
+    text = (CONFIGS / "assignment-shaper.toml").read_text(encoding="utf-8")
     Path("assignment.toml").write_text(text.replace("[class]\n", '[class]\nroster = "roster.txt"\n', 1))
     Path("roster.txt").write_text(ROSTER)
     told = cli("class", "make", "assignment.toml", "--skip-mistakes", "--sheets", "txt", "-j", "1")
@@ -53,7 +53,7 @@ def test_sheets_and_tables_stand_in_their_folders(made: Cli) -> None:
 
 
 def test_no_sheets_and_a_form_that_there_is_not(cli: Cli) -> None:
-    shutil.copy(CONFIGS / "class-shaper.toml", "assignment.toml")
+    shutil.copy(CONFIGS / "assignment-shaper.toml", "assignment.toml")
     told = cli("class", "make", "assignment.toml", "-n", "2", "--sheets", "odt", "--skip-mistakes")
     assert (told.code, Path("class").exists()) == (2, False)
     assert told.err.startswith("error: --sheets: a task sheet has no form 'odt'")
@@ -67,7 +67,7 @@ def test_a_pdf_without_typst_is_one_message(cli: Cli, monkeypatch: pytest.Monkey
         return None if name == "typst" else find_spec(name, *rest)
 
     monkeypatch.setattr("tmmcalc.note.forms.find_spec", without)
-    shutil.copy(CONFIGS / "class-shaper.toml", "assignment.toml")
+    shutil.copy(CONFIGS / "assignment-shaper.toml", "assignment.toml")
     told = cli("class", "make", "assignment.toml", "-n", "2", "--skip-mistakes")
     assert told.code == 2
     assert "--sheets: a task sheet as pdf needs typst, which is not installed" in told.err

@@ -211,7 +211,8 @@ class _Table:
 
     def _off(self, predicted: Array) -> Array:
         """How far the answers are from what is predicted, as a part of it; infinite where nothing is."""
-        off = np.abs(self.written.values - predicted) / np.abs(predicted)
+        with np.errstate(divide="ignore", invalid="ignore"):  # a mistake may give 0
+            off = np.abs(self.written.values - predicted) / np.abs(predicted)
         return np.where(np.isfinite(off), off, np.inf)
 
     def _found(

@@ -120,6 +120,7 @@ def _judged(
         tuple(after),
         asked.either_sense,
         tuple(after.values()),
+        asked.meaning or "",
     )
 
 

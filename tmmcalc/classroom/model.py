@@ -23,6 +23,7 @@ class Item:
     after: tuple[int, ...]  # items by place, from which it is computed
     either_sense: bool  # its sign is left open
     powers: Values = ()  # with which it follows each of `after`; 0: not told
+    meaning: str = ""  # as the assignment says it; empty: as the program does
 
 
 @record

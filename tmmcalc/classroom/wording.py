@@ -58,7 +58,8 @@ def title_of(sheet: str) -> str:
 def header_of(header: str, sheet: str) -> str:
     """What stands over a column of a table."""
     if sheet == "items" and header in KNOWN:
-        return standing_said(Standing(header))
+        said = standing_said(Standing(header))
+        return said[:1].upper() + said[1:]
     if sheet == "remarks" and header == "of":
         return tr("About")
     name, mark, end = header.rpartition(": ")

@@ -32,6 +32,15 @@ SOME = re.compile(r"\{\w+\}")  # a unit that is a place alone: there may be none
 EXTREME = re.compile(r"(.+)_(min|max|rms|start|end)((?<=_min|_max)_at(?:_(\w+))?)?")
 # words in these places may have _ themselves: what is said for it
 LONG = {**dict.fromkeys(("phase", "cause", "shaft", "plan", "scheme"), " "), "way": " → "}
+SAID = {  # what short words in these places stand for
+    "curve": {
+        "c": "the pitch curve",
+        "w": "the working profile",
+        "o": "the second wall",
+        "t": "the path of the tool",
+        "to": "the path of the tool along the second wall",
+    }
+}
 
 
 @cache
@@ -105,11 +114,17 @@ def _literal(form: str) -> int:
 
 def _filled(form: Quantity, places: Mapping[str, str]) -> tuple[str, str]:
     """Meaning and symbol with the names of the scene; a symbol has braces of its own."""
-    words = {place: word.replace("_", LONG[place]) if place in LONG else word for place, word in places.items()}
+    words = {place: _said(place, word) for place, word in places.items()}
     meaning = Phrase(form.meaning, **words) if "{" in form.meaning else form.meaning
     if prefix := places.get(PREFIX, "").removesuffix("_"):
         meaning = Phrase("{quantity}: {word}", quantity=meaning, word=prefix)
     return meaning, form.symbol if "{" not in form.symbol else ""
+
+
+def _said(place: str, word: str) -> str:
+    if place in LONG:
+        return word.replace("_", LONG[place])
+    return SAID[place].get(word, word) if place in SAID else word
 
 
 def _places(form: str, text: str) -> dict[str, str] | None:

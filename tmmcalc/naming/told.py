@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from functools import lru_cache
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache, lru_cache
 from math import isnan, nan
 from typing import Any
 
@@ -153,17 +153,29 @@ def _absent(stage: str) -> UsageError:
 def listed(stage: str, result: Any) -> Iterator[Told | Extent]:
     """All that a stage tells: its facts, then its columns."""
     yield from _facts(stage, result)
-    table, known = table_of(stage, result), described(stage, column=True)
-    made = STAGES[stage].part("columns")
-    own = made(result) if made else ()
-    declared = {} if isinstance(own, Mapping) else {each.name: (each.meaning, each.symbol) for each in own}
+    table, known = table_of(stage, result), _of_columns(stage, result)
     for at, header in enumerate(table.headers if table else ()):
         if table is not None and np.asarray(table.make(at)).dtype.kind in "fi":
             (column, unit), values = named(header), table.column(header)
-            own = declared.get(column, ("", ""))
-            meant = own if own[0] else known(column, unit)
             least, greatest = float(np.min(values)), float(np.max(values))
-            yield Extent(stage, column, unit, least, greatest, len(values), *meant)
+            yield Extent(stage, column, unit, least, greatest, len(values), *known(column, unit))
+
+
+def _of_columns(stage: str, result: Any) -> Callable[[str, str], tuple[str, str]]:
+    """A function of the name and the unit of a column: meaning and symbol, as the result itself or its stage says."""
+    known = described(stage, column=True)
+
+    @cache
+    def declared() -> Mapping[str, tuple[str, str]]:
+        made = STAGES[stage].part("columns")
+        own = made(result) if made else ()
+        return {} if isinstance(own, Mapping) else {each.name: (each.meaning, each.symbol) for each in own}
+
+    def found(name: str, unit: str) -> tuple[str, str]:
+        meant = declared().get(name, ("", ""))
+        return meant if meant[0] else known(name, unit)
+
+    return found
 
 
 def offered(stage: str, scene: Scene) -> Iterator[Told | Extent]:
@@ -280,7 +292,7 @@ def _ordinary(
             yield from ((name, each) for name in _fitting(facts, stage, each.quantity, each.unit))
     rows = [name for name in names if not name.fact and name.may_be_of(stage)]
     if rows and (table := table_of(stage, result)) is not None:
-        known = described(stage, column=True)
+        known = _of_columns(stage, result)
 
         def there(place: Place) -> Table | None:
             beside = None if scene is None else scene.beside(stage, place)

@@ -24,7 +24,7 @@ def _blocks(given: Sequence[Block], sought: Sequence[str]) -> Iterator[Block]:
     data = [block for block in given if isinstance(block, Datum)]
     if figures:
         scheme = f"{{fig:{figures[0].key}}}"
-        yield Paragraph(tr("The scheme is shown in figure {figure}, in one of its positions.", figure=scheme))
+        yield Paragraph(tr("The scheme is shown in figure {figure}.", figure=scheme))
         yield from figures
     if data:
         yield Paragraph(tr("The given data are listed in table {tab:given}."))

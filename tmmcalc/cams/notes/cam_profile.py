@@ -8,7 +8,7 @@ from math import isclose, isfinite
 
 import numpy as np
 
-from tmmcalc.cams.follower import Complex, contact_path
+from tmmcalc.cams.follower import Complex, Follower, contact_path
 from tmmcalc.cams.further import of_profile
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.notes.cam_synthesis import of_limits
@@ -100,18 +100,18 @@ def blocks(order: Order) -> Iterator[Block]:
 
 def _inverted(told: Told) -> str:
     """The method, and where the axes lead."""
-    sense = sense_of(told.follower)
-    if told.turns:
-        return tr(
-            "The cam turns {sense}. In the inverted motion it stands still and the rest turns against it. Axis $x$ "
-            "leads from the axis of the cam to the pivot of the rocker at $phi$ = 0.",
-            sense=sense,
-        )
-    return tr(
-        "The cam turns {sense}. In the inverted motion it stands still and the rest turns against it. Axis $y$ leads "
-        "along the lift at $phi$ = 0, axis $x$ to the right.",
-        sense=sense,
+    moved = tr(
+        "The cam turns {sense}. In the inverted motion it stands still and the rest turns against it.",
+        sense=sense_of(told.follower),
     )
+    return f"{moved} {axes_of(told.follower)}"
+
+
+def axes_of(follower: Follower) -> str:
+    """Where the axes of the cam lead."""
+    if follower.kind == "oscillating":
+        return tr("Axis $x$ leads from the axis of the cam to the pivot of the rocker at $phi$ = 0.")
+    return tr("Axis $y$ leads along the lift at $phi$ = 0, axis $x$ to the right.")
 
 
 def _words(told: Told) -> dict[str, str]:

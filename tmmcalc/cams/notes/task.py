@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from math import degrees
+from math import degrees, isclose, pi
 
 from tmmcalc.cams.notes.cam_elastic import TRAIN, train_scene
 from tmmcalc.cams.notes.cam_forces import GIVEN as LOADS
 from tmmcalc.cams.notes.cam_forces import given_loads
 from tmmcalc.cams.notes.cam_law import described, laws_described
+from tmmcalc.cams.notes.cam_profile import axes_of
 from tmmcalc.cams.notes.cam_synthesis import SIZES, of_limits
 from tmmcalc.cams.notes.indexing import given_names, law_name
 from tmmcalc.cams.notes.lexicon import of_follower, of_task, told_of
@@ -63,7 +64,14 @@ def _cam(order: Order) -> Iterator[Datum]:
     """The cam in the order of its chapter."""
     table, told = order.spec.cam, told_of(order)
     yield from (Datum(what, text=text) for what, text in described(told))
+    if table.steps is not None:
+        said = tr("equal steps of each phase of motion, counted through from the rise on")
+        yield Datum(said, ("n",), (float(table.steps),))
+    if "cam_profile" in order.results:
+        yield Datum(tr("axes of the cam"), text=axes_of(told.follower))
     motion = told.named(of_task(told))
+    if table.speed is not None and _is_round(turns := table.speed * 30 / pi):  # as it was written, then
+        yield Datum(tr("rotational speed of the cam"), ("n_1",), (turns,), "rpm")
     yield from _data(motion, (name for name in motion if name != told.words["wn"] or table.speed is not None))
     yield from (Datum(what, text=text) for what, text in laws_described(told))
     sizes = [SIZES[size.symbol] for size in order.results["cam_synthesis"].sizes if size.given]
@@ -84,6 +92,11 @@ def _drive(order: Order) -> Iterator[Datum]:
     of = stepping_of(to_indexing(order.spec), order.results["indexing"])
     yield Datum(tr("law of the step"), text=law_name(of.found))
     yield from _data(of.lexicon, given_names(of))
+
+
+def _is_round(value: float) -> bool:
+    """Whether a few figures tell it whole."""
+    return isclose(value, float(f"{value:.5g}"), rel_tol=1e-12)
 
 
 def _written(table: object, names: dict[str, str]) -> list[str]:

@@ -15,11 +15,11 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.profile.results import Profile
 from tmmcalc.core.quantity import Quantity, headed
 
-X = Quantity("x_{curve}[m]", "x of the curve {curve}")
-Y = Quantity("y_{curve}[m]", "y of the curve {curve}")
-RADIUS = Quantity("R_{curve}[m]", "distance of the curve {curve} from the axis of the cam")
-POLAR = Quantity("alpha_{curve}[deg]", "polar angle of the curve {curve}, from OY counter-clockwise")
-BEND = Quantity("rho_{curve}[m]", "radius of curvature of the curve {curve}")
+X = Quantity("x_{curve}[m]", "x of {curve}")
+Y = Quantity("y_{curve}[m]", "y of {curve}")
+RADIUS = Quantity("R_{curve}[m]", "distance of {curve} from the axis of the cam")
+POLAR = Quantity("alpha_{curve}[deg]", "polar angle of {curve}, from OY counter-clockwise")
+BEND = Quantity("rho_{curve}[m]", "radius of curvature of {curve}")
 NAMES = {"inner": "w", "outer": "o", "tool": "t", "outer tool": "to"}
 
 

@@ -21,10 +21,12 @@ from tmmcalc.classroom.answers.grids import Grid
 from tmmcalc.classroom.answers.limits import UnreadableError
 from tmmcalc.classroom.answers.measures import UnitOfAnswerError, factor_to, is_unit
 from tmmcalc.classroom.answers.naming import Names, Place, Roster, folded, parted
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 
 STUDENT = ("student", "name", "variant", "студент", "студентка", "прізвище", "піб", "варіант", "учень", "№ варіанта")
 _ITEM = ("item", "quantity", "result", "величина", "результат", "позначення", "параметр", "symbol")
+_NAME = ("name", "назва", "найменування")  # of an item, where none of these is there; "name" may be the student's too
 _VALUE = ("value", "answer", "значення", "відповідь")
 _UNITS = ("unit", "units", "одиниця", "одиниці", "од. вим.", "одиниця вимірювання", "розмірність")
 _POSITION = ("position", "положення", "номер положення", "№ положення", "пол.", "i", "n", "no", "№")
@@ -40,7 +42,12 @@ class Entry:
     item: int
     value: str
     unit: str
-    where: str  # "row 5"
+    where: str  # "row 5", to be said in another language
+
+
+def _row(number: int) -> Phrase:
+    """Where a row is, from 1."""
+    return Phrase("row {number}", number=number)
 
 
 @record
@@ -58,8 +65,9 @@ def entries_of(grid: Grid, names: Names, roster: Roster, step: float) -> Table:
     Raises `UnreadableError` where no item is named in it.
     """
     rows = [(k, row) for k, row in enumerate(grid, 1) if any(row)]
-    if (header := next((at for at, (_, row) in enumerate(rows) if _long(row)), None)) is not None:
-        return _of_long(rows[header:], names)
+    for at, (_, header) in enumerate(rows):
+        if _find(header, _VALUE) is not None and (item := _items_under(rows[at:], names)) is not None:
+            return _of_long(rows[at:], names, item)
     best, count = _best_header(rows, names)
     over = _over_positions(rows, names)
     if over is not None and over[1] >= count:
@@ -87,13 +95,21 @@ def _cell(row: Sequence[str], k: int | None) -> str:
     return row[k] if k is not None and k < len(row) else ""
 
 
-def _long(row: Sequence[str]) -> bool:
-    return _find(row, _ITEM) is not None and _find(row, _VALUE) is not None
-
-
-def _of_long(rows: Sequence[Row], names: Names) -> Table:
+def _items_under(rows: Sequence[Row], names: Names) -> int | None:
+    """The column of items under this header."""
     header = rows[0][1]
-    student, item, value, unit = (_find(header, words) for words in (STUDENT, _ITEM, _VALUE, _UNITS))
+    if (named := _find(header, _ITEM)) is not None:
+        return named
+    called = _find(header, _NAME)
+    is_item = called is not None and any(names.headed(_cell(row, called))[0] is not None for _, row in rows[1:])
+    return called if is_item else None
+
+
+def _of_long(rows: Sequence[Row], names: Names, item: int) -> Table:
+    header = rows[0][1]
+    student, value, unit = (_find(header, words) for words in (STUDENT, _VALUE, _UNITS))
+    if student == item:
+        student = None
     head_unit = parted(header[value])[1] if value is not None else ""
     found, unknown, last = [], [], ""
     for number, row in rows[1:]:
@@ -104,7 +120,7 @@ def _of_long(rows: Sequence[Row], names: Names) -> Table:
             unknown += [name] * bool(name)
         else:
             of_row = _cell(row, unit) or name_unit or head_unit
-            found.append(Entry(last, k, _cell(row, value), of_row, f"row {number}"))
+            found.append(Entry(last, k, _cell(row, value), of_row, _row(number)))
     return Table(tuple(found), unknown=tuple(unknown))
 
 
@@ -130,7 +146,7 @@ def _of_wide(rows: Sequence[Row], above: Sequence[Row], names: Names, roster: Ro
     if who is None and len(below) > 1 and sum(any(_cell(row, k) for k in items) for _, row in below) > 1:
         raise UnreadableError("has several rows and no column of students", 'head it "student" or "variant"')
     found = [
-        Entry(_cell(row, who), item, _cell(row, k), unit or units.get(k, ""), f"row {number}")
+        Entry(_cell(row, who), item, _cell(row, k), unit or units.get(k, ""), _row(number))
         for number, row in below
         for k, (item, unit) in items.items()
         if _cell(row, k) or (who is not None and _cell(row, who))
@@ -189,7 +205,7 @@ def _of_items_below(rows: Sequence[Row], names: Names, roster: Roster) -> Table:
         beside = _cell(row, unit_column)
         for column, student in students.items():
             if (text := _cell(row, column)) or student:
-                found.append(Entry(student, k, text, unit or beside, f"row {number}"))
+                found.append(Entry(student, k, text, unit or beside, _row(number)))
     return Table(tuple(found), _said(rows) if not header else "", tuple(unknown))
 
 
@@ -221,7 +237,7 @@ def _of_positions(rows: Sequence[Row], above: Sequence[Row], names: Names, step:
             for (number, row), at in zip(below, angles, strict=True):
                 if _is_there(place, _cell(row, label), at, start, step):
                     text = _cell(row, k)
-                    found.append(Entry("", place.item, text, of_header or _cell(units, k), f"row {number}"))
+                    found.append(Entry("", place.item, text, of_header or _cell(units, k), _row(number)))
                     break  # a whole turn later is the same position
     return Table(tuple(found), _said(above))
 

@@ -10,6 +10,7 @@ from tmmcalc.classroom.answers.layouts import STUDENT, Entry, Table
 from tmmcalc.classroom.answers.limits import COLUMNS, DEEPEST, ROWS, WIDEST, UnreadableError
 from tmmcalc.classroom.answers.naming import Names, Roster, folded
 from tmmcalc.core.errors import SpecError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.spec.syntax import read_toml
 
 _STUDENT = {folded(word) for word in STUDENT}
@@ -31,7 +32,7 @@ def entries_of_toml(text: str, names: Names, roster: Roster) -> Table:
         if folded(key) in _STUDENT:
             student = _shown(value)
         elif (item := names.headed(key)) and item[0] is not None:
-            found.append(Entry(who, item[0], _shown(value), item[1], f"key {key}"))
+            found.append(Entry(who, item[0], _shown(value), item[1], Phrase("key {key}", key=key)))
         else:
             unknown.append(key)
     if not found:

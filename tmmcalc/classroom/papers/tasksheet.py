@@ -6,7 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.model import Item
+from tmmcalc.classroom.neighbours import NAMED
 from tmmcalc.core.records import record
+from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.language import Place, parse
 from tmmcalc.naming.scene import Scene
 from tmmcalc.naming.told import one
@@ -18,6 +20,7 @@ from tmmcalc.report.numbers import number
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
+MACHINES = ("linkage", "machine")  # rooms whose senses are those of the plane
 BLANK = "\u00a0" * 36  # room for an answer
 Mark = tuple[str, tuple[str, ...]]  # what a datum is, and how it is called
 Own = frozenset[Mark]
@@ -53,12 +56,16 @@ def meanings_of(items: Sequence[Item], run: RunResult) -> tuple[str, ...]:
     found = []
     for item in items:
         name = parse(item.result)
-        said = tr_name(one(name, run.results, scene).meaning)
-        found.append(f"{said}, {_placed(name.place)}" if name.place is not None and not name.of else said)
+        said = said_in(item.meaning) or tr_name(one(name, run.results, scene).meaning)
+        if name.place is not None and not name.of and not item.meaning:
+            said = f"{said}, {_placed(name.stage, name.place)}"
+        found.append(said)
     return tuple(found)
 
 
-def _placed(place: Place) -> str:
+def _placed(stage: str, place: Place) -> str:
+    if stage in NAMED:
+        return tr("link {link}", link=place.first)
     if not place.column:
         return tr("in position {label}", label=place.first).replace(f" {place.first}", f"\u00a0{place.first}")
     value = tr_number(place.first).replace(" deg", "°").replace("*", "·")
@@ -75,7 +82,7 @@ def _blocks(who: str, given: Given, items: Sequence[Item], meanings: Sequence[st
     yield Paragraph(said_in(who))
     if given.scheme:
         figure = f"{{fig:{given.scheme[0].key}}}"
-        yield Paragraph(tr("The scheme is shown in figure {figure}, in one of its positions.", figure=figure))
+        yield Paragraph(tr("The scheme is shown in figure {figure}.", figure=figure))
         yield from given.scheme
     head = (tr("Quantity"), tr("Designation"), tr("Value"))
     if given.own:
@@ -107,10 +114,14 @@ def tolerance_of(item: Item) -> str:
 
 
 def _rules(items: Sequence[Item]) -> Iterator[str]:
-    places = [place for item in items if (place := parse(item.result).place) is not None]
-    if any(not place.column for place in places):
+    names = [parse(item.result) for item in items]
+    of_machine = [name for name in names if STAGES[name.stage].room in MACHINES]
+    if any(name.place is not None and not name.place.column for name in of_machine):
         yield tr("Positions are counted from 0 on, by equal steps in the sense of the motion.")
-    yield tr("Angles, angular quantities and moments are positive counter-clockwise.")
+    if of_machine:
+        yield tr("Angles, angular quantities and moments are positive counter-clockwise.")
+    if any(name.stage in NAMED for name in names):
+        yield tr("Speeds and torques of links are positive in the sense of a positive given speed.")
     yield tr("“Digits” are the significant ones that an answer has; it is right within its tolerance.")
     yield tr("Answers are handed in as a table under the names of the first column, with their units.")
 

@@ -20,16 +20,17 @@ LONGEST = 80  # characters of a name: it stands in headers of tables and in name
 class Words(Reader):
     """A text of one line that names something."""
 
-    def __init__(self, noun: str, example: str) -> None:
+    def __init__(self, noun: str, example: str, most: int = LONGEST) -> None:
         self.noun = noun
         self.example = example
+        self.most = most
 
     def read(self, value: object) -> str:
         """Return the text without blanks around it; raise UnitError with the fault in plain words."""
         if not isinstance(value, str) or not value.strip() or not value.isprintable():
             raise UnitError(f"{show(value)} is not {self.noun}", f'write one line: "{self.example}"')
-        if len(value) > LONGEST:
-            raise UnitError(f"{show(value)} is longer than {LONGEST} characters", "write a shorter one")
+        if len(value) > self.most:
+            raise UnitError(f"{show(value)} is longer than {self.most} characters", "write a shorter one")
         return value.strip()
 
     def describe(self) -> dict[str, Any]:
@@ -59,6 +60,7 @@ Weight = Annotated[Fraction, Exact("a weight", "2", above=0)]
 Spread = Annotated[Fraction, Exact("a ratio", "5", at_least=1)]
 Digits = Annotated[int, Whole("a number of digits", 2, 9)]
 Said = Annotated[str, Words("a name", "stroke H")]
+Meant = Annotated[str, Words("a meaning", "mean power of the motor", most=200)]
 Other = Annotated[list[str], OneOrMore(Words("a name", "stroke"))]
 Named = Annotated[str, Result()]
 
@@ -93,6 +95,9 @@ class AskedTable(Table):
         default=None, description="What it is called in sheets and answers (default: the name of the result)."
     )
     also: Other = Field(default=[], description='What else it may be called in answers: `["H", "хід"]`.')
+    meaning: Meant | None = Field(
+        default=None, description="What it is, as task sheets say it (default: as the program does)."
+    )
     unit: Said | None = Field(default=None, description="The unit it is asked in (default: that of the result).")
     tolerance: Tolerance | None = Field(default=None, description="Within it an answer is right (default: of all).")
     within: Limit | None = Field(

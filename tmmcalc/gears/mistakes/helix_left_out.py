@@ -9,9 +9,7 @@ from tmmcalc.core.mistake import SOMETIMES, Document, Mistake, Tables
 
 def _tables(document: Document, part: str) -> Tables:
     pair = deepcopy(document.get("pair", {}))
-    return (
-        {"pair": {key: value for key, value in pair.items() if key != "helix_angle"}} if pair.get("helix_angle") else {}
-    )
+    return {"pair": {**pair, "helix_angle": 0}} if pair.get("helix_angle") else {}
 
 
 MISTAKE = Mistake(

@@ -127,9 +127,9 @@ def captioned(caption: str, of: str) -> str:
     return f"{caption} {of}" if of else caption
 
 
-def _given(told: Told) -> list[str]:
-    """The quantities that are given."""
-    found, task = told.found, told.found.task
+def given_quantities(found: MeshPair) -> list[str]:
+    """The names of the quantities that are given."""
+    task = found.task
     names = [*GIVEN, *(f"x_{k}" for k, shift in enumerate(task.shifts[: len(found.sizes)], 1) if shift is not None)]
     if task.strategy == "given_aw":
         names.append("H" if task.kind == "rack" else "a_w")
@@ -140,7 +140,9 @@ def _data(told: Told, key: str, of: str) -> Iterator[Block]:
     """What is given, and how the shifts are chosen."""
     task = told.found.task
     yield Paragraph(tr("The given data of the pair are in table {table}.", table=f"{{tab:{key}_data}}"))
-    yield parameters(captioned(tr("Given data of the pair"), of), _given(told), told.lexicon, f"{key}_data")
+    yield parameters(
+        captioned(tr("Given data of the pair"), of), given_quantities(told.found), told.lexicon, f"{key}_data"
+    )
     if task.wheels != USUAL:
         first, second = task.wheels
         yield Paragraph(
@@ -192,7 +194,7 @@ def _parameters(told: Told, key: str, of: str) -> Iterator[Block]:
     names = [*COMMON, *HELICAL * bool(task.helix), *WHEELED * (task.kind != "rack")]
     names += ["Deltay"] * (task.kind == "external")
     names += [*["eps_beta", "eps_gamma"] * bool(found.overlap), *["eps'_alpha"] * shortened(found)]
-    names = [name for name in names if name not in _given(told)]  # which the table of the data has
+    names = [name for name in names if name not in given_quantities(found)]  # which the table of the data has
     yield parameters(captioned(tr("Parameters of the pair"), of), names, told.lexicon, f"{key}_common")
     caption, own = captioned(tr("Parameters of the wheels of the pair"), of), task.wheels[: len(found.sizes)]
     yield of_wheels(caption if of else tr("Parameters of the wheels"), WHEELS, _wheels(told), own, f"{key}_wheels")

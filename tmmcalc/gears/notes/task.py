@@ -1,21 +1,55 @@
-"""What is given of a gear train: its layout, the ratio that is asked for, the numbers of planets, the steel."""
+"""What is given of gears: of a train its layout or its meshes, speeds and load; of a pair its teeth and shifts."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from functools import partial
 
+from tmmcalc.gears.chosen.motion import Moving, written
+from tmmcalc.gears.gearing import Gearing
+from tmmcalc.gears.meshing.task import PairTask
+from tmmcalc.gears.network.model import INTERNAL, Network
+from tmmcalc.gears.network.willis import wheel_names
+from tmmcalc.gears.notes.letters import teeth
+from tmmcalc.gears.notes.pair import given_quantities
+from tmmcalc.gears.notes.pairs.choice import chosen
+from tmmcalc.gears.notes.pairs.lexicon import told_of
+from tmmcalc.gears.notes.pairs.tables import something
 from tmmcalc.gears.notes.strength import steel_word
+from tmmcalc.gears.pictures.memberscheme import draw_members
 from tmmcalc.gears.pictures.words import layout_word
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Datum
+from tmmcalc.report.manuscript import Block, Datum, Figure
+
+SCHEME = (110.0, 75.0)  # size of the scheme [mm]
 
 
 def blocks(order: Order) -> Iterator[Block]:
-    """The data; those of pairs and wheels stand with their chapters."""
+    """The scheme of a train that is written out, and the data; those of pairs of a train stand with their chapter."""
+    if order.spec.train is not None:
+        yield from _train(order)
+    if "gearing" in order.results:
+        yield from _written(order, order.results["gearing"])
+    if "pair" in order.results and order.spec.pair.teeth is not None:
+        for found in order.results["pair"].pairs:
+            lexicon = told_of(found).lexicon
+            for name, given in something(given_quantities(found), lexicon):
+                assert isinstance(given.value, float)
+                yield Datum(given.meaning, (name,), (given.value,), given.unit)
+            yield from _choice(found.task)
+
+
+def _choice(task: PairTask) -> Iterator[Datum]:
+    """How shifts that are not given are chosen."""
+    if task.strategy != "given":
+        yield Datum(tr("choice of the shifts"), text=chosen(task))
+
+
+def _train(order: Order) -> Iterator[Datum]:
+    """What a train that is sought has to be."""
     train, strength = order.spec.train, order.spec.strength
-    if train is None:
-        return
     yield Datum(tr("layout of the train"), text=", ".join(map(layout_word, train.layout)))
     if train.ratio is not None:
         yield Datum(tr("ratio that is asked for"), ("u",), (float(train.ratio),))
@@ -31,3 +65,60 @@ def blocks(order: Order) -> Iterator[Block]:
         yield Datum(
             tr("material of the wheels"), text=f"{steel_word(material.steel)}, {said}" if material.steel else said
         )
+
+
+def _written(order: Order, found: Gearing) -> Iterator[Block]:
+    """A train that is written out: its scheme, its teeth, what is known of its motion and load."""
+    moving, table = written(found), order.spec.gearing
+    yield Figure(tr("Scheme of the train"), partial(draw_members, found=moving), SCHEME, "gearing_task_scheme")
+    yield from _members(moving)
+    task = found.task
+    for name, speed in task.speeds.items():
+        if speed:
+            yield Datum(tr("speed of link {link}", link=name), (f"n_{{{name}}}",), (speed * 30 / math.pi,), "rpm")
+    held = [name for name, speed in task.speeds.items() if not speed]
+    if held:
+        yield Datum(tr("links at rest"), text=", ".join(held))
+    if task.locked:
+        yield Datum(tr("links that turn as one"), text=", ".join("–".join(pair) for pair in task.locked))
+    for name, power in task.powers.items():
+        yield Datum(tr("power put in on link {link}", link=name), (f"P_{{{name}}}",), (power,), "W")
+    for name, torque in task.torques.items():
+        yield Datum(tr("outside torque on link {link}", link=name), (f"T_{{{name}}}",), (torque,), "N*m")
+    for name, torque in task.loads.items():
+        yield Datum(tr("resisting torque on link {link}", link=name), (f"T_{{{name}}}",), (torque,), "N*m")
+    if found.outputs:
+        yield Datum(tr("driven link"), text=", ".join(found.outputs))
+    if table.friction is not None:
+        yield Datum(tr("coefficient of friction of teeth"), ("f",), (float(table.friction),))
+    else:
+        yield from _efficiencies(task.network)
+
+
+def _members(moving: Moving) -> Iterator[Datum]:
+    """Wheels with their teeth, which of them mesh, how many links there are of a kind."""
+    network, layout = moving.task.network, None if moving.chosen is None else moving.chosen.sets.scheme
+    numbers = dict[str, float]()
+    meshes = list[str]()
+    for mesh, names in zip(network.meshes, wheel_names(network, layout), strict=True):
+        numbers |= dict(zip(names, (mesh.first_teeth, mesh.second_teeth), strict=True))
+        pair = "–".join(names)
+        meshes.append(tr("{mesh} (internal)", mesh=pair) if mesh.sign == INTERNAL else pair)
+    yield Datum(tr("wheels in mesh"), text=", ".join(meshes))
+    for name, given in teeth(numbers).items():
+        assert isinstance(given.value, float)
+        yield Datum(given.meaning, (name,), (given.value,))
+    for body in network.bodies:
+        if body.count > 1:
+            yield Datum(tr("how many links {link} there are", link=body.name), ("K",), (float(body.count),))
+
+
+def _efficiencies(network: Network) -> Iterator[Datum]:
+    """Of all meshes together if they have the same, else of each."""
+    values = [mesh.efficiency for mesh in network.meshes]
+    if len({*values}) == 1:
+        yield Datum(tr("efficiency of each mesh"), ("eta",), (values[0],))
+        return
+    for mesh in network.meshes:
+        said = tr("efficiency of the mesh {mesh}", mesh=f"{mesh.first}–{mesh.second}")
+        yield Datum(said, (f"eta_{{{mesh.first}{mesh.second}}}",), (mesh.efficiency,))

@@ -15,6 +15,7 @@ from tmmcalc.gears.chosen.motion import MODULE, Moving, modules_of
 from tmmcalc.gears.gearingtask import ends
 from tmmcalc.gears.network.model import FRAME
 from tmmcalc.gears.network.places import places
+from tmmcalc.gears.network.willis import wheel_names
 from tmmcalc.gears.pictures import lengthwise, sideview
 from tmmcalc.gears.pictures.endview import CENTRES, COLOURS
 from tmmcalc.gears.pictures.memberplaces import (
@@ -32,11 +33,14 @@ from tmmcalc.gears.pictures.memberplaces import (
 )
 from tmmcalc.gears.pictures.placed import placed
 from tmmcalc.gears.pictures.sideview import AXLE, CARRIER, FACE, SHAFT, SLEEVES, WHEELS
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.pens import Pen
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.drawing.signs import hatched
 
 HUB, BEARING = 3.0, (4.6, 0.9)  # half length of a hub; length of a bearing and its distance from the shaft [mm]
+MARGIN = 6.0  # of the scheme alone [mm]
 LAYER = 1.5  # from a shaft to the sleeve around it [mm]
 ON_SHAFT, ON_WHEEL, ON_CARRIER = 4, 5, 6
 
@@ -69,6 +73,12 @@ def view_of(found: Moving) -> SchemeView:
     held = tuple(name for name, speed in found.task.speeds.items() if not speed)
     scheme = arranged(network, at, held)
     return SchemeView(scheme.content, lambda board, part: _draw(board, scheme, part))
+
+
+def draw_members(drawing: Drawing, box: Box, found: Moving) -> None:
+    """The scheme alone, as large as the box lets it be."""
+    view = view_of(found)
+    view.draw(Board(drawing, box, view.content, MARGIN), 1.0)
 
 
 def _draw(board: Board, scheme: Scheme, part: float) -> None:
@@ -199,6 +209,9 @@ def _carrier(board: Board, scheme: Scheme, name: str) -> None:
 
 def _label(board: Board, scheme: Scheme, part: float) -> None:
     """Numbers of teeth at the wheels."""
+    called = {}
+    for mesh, names in zip(scheme.network.meshes, wheel_names(scheme.network), strict=True):
+        called[mesh.first, mesh.first_teeth], called[mesh.second, mesh.second_teeth] = names
     for wheel in scheme.wheels:
         start, end = scheme.along(wheel)
         axis, size = scheme.height(wheel.member), wheel.radius
@@ -208,6 +221,6 @@ def _label(board: Board, scheme: Scheme, part: float) -> None:
         anchors = [complex(s, axis + share * size) for share in parts for s in (end, start)]
         if wheel.tilt and scheme.network.tilted(wheel.member):
             anchors = [complex(s, axis) for s in (end, start)]
-        text = f"$z_{{{wheel.member}}}$ = {wheel.teeth}"
+        text = f"$z_{{{called[wheel.member, wheel.teeth]}}}$ = {wheel.teeth}"
         colour = COLOURS[scheme.span(wheel)[0] % len(COLOURS)]
         board.labels.put(text, board.paper(anchors), height=part * 2.3, gaps=(1.0, 1.8, 3.0, 4.6), colour=colour)

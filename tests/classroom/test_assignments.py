@@ -1,0 +1,64 @@
+"""The ready assignments: a class of each, its keys, and answers in files in which a known mistake was made."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from tmmcalc.batch.executors import solve_here
+from tmmcalc.classroom.grading import graded
+from tmmcalc.classroom.items import items_of
+from tmmcalc.classroom.keybook import write_keybook
+from tmmcalc.classroom.keymaking import make_keys
+from tmmcalc.classroom.making import make_class
+from tmmcalc.classroom.model import Keybook
+from tmmcalc.classroom.verdicts import Standing
+from tmmcalc.project import load_spec
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+DEAR = ("course-project", "press")
+VARIANTS = 3
+READY = sorted(file.stem.partition("-")[2] for file in CONFIGS.glob("assignment-*.toml"))
+
+
+def school_of(name: str, folder: Path) -> Keybook:
+    """The keys of a class of an assignment, which stands in the folder."""
+    file = CONFIGS / f"assignment-{name}.toml"
+    made = make_class(file, folder, VARIANTS, 11, jobs=1)
+    book = make_keys(file, made.own.variants, items_of(load_spec(file)), solve_here)
+    write_keybook(book, folder / "keys")
+    return book
+
+
+def hand_in(book: Keybook, at: int | None, place: Path) -> Path:
+    """Answers to four digits of everybody, with a mistake in all that it changes."""
+    place.mkdir()
+    for key in book.keys:
+        given = key.values if at is None else key.mistaken[at]
+        rows = [
+            f"{item.name};{(wrong if math.isfinite(wrong) else right):.3e};{item.unit}"
+            for item, wrong, right in zip(book.items, given, key.values, strict=True)
+        ]
+        (place / f"{key.number}.csv").write_text("\n".join(["result;value;unit", *rows]), encoding="utf-8")
+    return place
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(each, marks=pytest.mark.slow) if each in DEAR else each for each in READY]
+)
+def test_a_class_is_drawn_keyed_and_marked(name: str, tmp_path: Path) -> None:
+    """Right answers have all points; a mistake that makes several wrong is named by everybody's marks."""
+    book = school_of(name, tmp_path / "class")
+    marks, *_ = graded(tmp_path / "class", hand_in(book, None, tmp_path / "right"), None)
+    assert {*(each for marked in marks.marked for each in marked.standings)} == {Standing.right}
+    assert [marked.total for marked in marks.marked] == pytest.approx([marks.most] * VARIANTS)
+    named = []
+    for at in range(len(book.mistakes)):
+        marks, *_ = graded(tmp_path / "class", hand_in(book, at, tmp_path / f"{at}"), None)
+        for marked in marks.marked:
+            if sum(each in (Standing.wrong, Standing.carried) for each in marked.standings) > 1:
+                named.append(at in marked.explanations[0].mistakes if marked.explanations else False)
+    assert sum(named) >= 0.95 * len(named)
+    assert len(named) >= 5 * VARIANTS
