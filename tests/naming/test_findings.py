@@ -19,6 +19,10 @@ from tmmcalc.rooms import STAGES
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 SPECS = [*sorted(CONFIGS.glob("*.toml")), *sorted((CONFIGS / "extreme").glob("*.toml"))]
+LONG = {
+    *("reduced-machine", "synth-dwell-optimum", "cam-rocker-optimum", "course-project", "elastic-drive"),
+    *("positions-many", "geared-pump", "synth-dwell-rocker", "geared-press"),
+}
 NUMBER = re.compile(r"(?<![\w.*'])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w*']|\.\d)")
 COMPARES = re.compile(
     r"\b(?:(?:not )?(?:above|below|beyond)|(?:more|less|fewer) than|exceeds?|outside|out of|of at least|of at most"
@@ -65,7 +69,13 @@ def told(spec: Path) -> list[tuple[str, Note | str]]:
     return [(stage, note) for stage, whole in shown for each in documents(whole) for note in each.notes]
 
 
-@pytest.mark.parametrize("spec", SPECS, ids=lambda path: f"{path.parent.name}-{path.stem}")
+@pytest.mark.parametrize(
+    "spec",
+    [
+        pytest.param(path, marks=pytest.mark.slow if path.stem in LONG else (), id=f"{path.parent.name}-{path.stem}")
+        for path in SPECS
+    ],
+)
 def test_what_is_compared_with_a_limit_is_data(spec: Path) -> None:
     for stage, note in told(spec):
         if note.startswith("warning") and COMPARES.search(note):
