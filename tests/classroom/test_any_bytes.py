@@ -8,6 +8,7 @@ import zipfile
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
@@ -35,6 +36,7 @@ def read(name: str, content: bytes) -> None:
         assert all("\n" not in each.message and UNFORESEEN not in each.message for each in pile.refused)
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(st.binary(max_size=300), st.sampled_from(["1.csv", "1.toml", "1.xlsx"]))
 def test_bytes(content: bytes, name: str) -> None:
@@ -47,6 +49,7 @@ def test_texts(text: str, encoding: str, name: str) -> None:
     read(name, text.encode(encoding))
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @example([["item", "value"], ["H"]], ";", "1.csv")
 @given(st.lists(WORDS, max_size=8), st.sampled_from(";\t,"), st.sampled_from(["1.csv", "x.csv"]))

@@ -61,6 +61,7 @@ def test_the_book_has_the_keys_of_the_variants() -> None:
     assert "linkage.weights_left_out" not in names  # it changes nothing here
 
 
+@pytest.mark.slow
 def test_in_processes_it_is_the_same() -> None:
     pytest.importorskip("joblib")
     assert repr(make_keys(SPEC, CLASS, ASKED, local(2, print))) == repr(make_keys(SPEC, CLASS, ASKED, solve_here))

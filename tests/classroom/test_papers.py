@@ -70,6 +70,7 @@ def test_what_is_drawn_is_found_and_nothing_else(school: School) -> None:
     assert not {"g", "m_3", "l_{CD}", "n"} & names
 
 
+@pytest.mark.slow
 def test_the_task_of_the_press_tells_all_that_is_drawn() -> None:
     """Of what is solved too: phases of the cam, of which the last follows from the others; the rest is common."""
     own, further = traced(SHAPER.with_name("class-press.toml"))
@@ -131,6 +132,7 @@ def test_a_form_that_there_is_not_and_a_missing_package_are_told() -> None:
     assert fault.value.where == "--sheets"
 
 
+@pytest.mark.slow
 def test_notes_are_written_beside_the_keys(folder: Path, school: School) -> None:
     write_notes(folder, school.made, folder / "keys", "txt", jobs=1)
     for variant in school.made.variants:

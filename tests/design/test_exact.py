@@ -53,7 +53,7 @@ LARGE = [  # of which each variant takes long: some keys
 
 SPRUNG = ["forces.max(M_drive)", "forces.rms(R_A)", "forces.R_B@5", "forces.M_drive_max", "forces.R_C_max"]
 QUICK = [
-    ("sprung.toml", SPRUNG, ["springs*", "loads[name=turn]*moment*"]),
+    pytest.param("sprung.toml", SPRUNG, ["springs*", "loads[name=turn]*moment*"], marks=pytest.mark.slow),
     (
         "shaper",
         [*SCENES[0][1], *SCENES[1][1]],

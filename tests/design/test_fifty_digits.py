@@ -60,6 +60,7 @@ def needed(stroke: Any, rise: Any, limit: Any) -> Any:
     return stroke / 2 * (mp.pi / whole * mp.sin(p) / tangent - (1 - mp.cos(p)))
 
 
+@pytest.mark.slow
 def test_the_least_radius_of_a_cam() -> None:
     expected = slopes(lambda h, rise, limit: needed(h / 1000, rise, limit), [30, 90, 30])
     keys = ["cam.stroke", "cam.rise", "cam.limits.pressure_angle"]

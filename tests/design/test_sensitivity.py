@@ -93,8 +93,8 @@ def test_keys_that_there_are_not(tmp_path: Path) -> None:
     ("config", "name", "keys"),
     [
         ("shaper.toml", "motion.delta", ["flywheel.inertia", "loads[name=Q5].force"]),
-        ("pair-spur.toml", "pair.*", ["pair*"]),
-        ("cam.toml", "cam_synthesis.*", ["cam*"]),
+        pytest.param("pair-spur.toml", "pair.*", ["pair*"], marks=pytest.mark.slow),
+        pytest.param("cam.toml", "cam_synthesis.*", ["cam*"], marks=pytest.mark.slow),
         ("extra-bearing.toml", "bearing.*", ["bearing*"]),
     ],
 )
