@@ -39,6 +39,7 @@ def spec(tmp_path: Path) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_two_processes_are_one(cli: Cli, spec: Path, tmp_path: Path) -> None:
     pytest.importorskip("joblib")
     told = [
@@ -52,6 +53,7 @@ def test_two_processes_are_one(cli: Cli, spec: Path, tmp_path: Path) -> None:
     assert plain.out == told[0].out
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="kills a process")
 def test_a_killed_run_goes_on(cli: Cli, spec: Path, tmp_path: Path) -> None:
     words = ["tolerance", str(spec), *NAMES, "--samples", "4096"]
