@@ -61,6 +61,7 @@ def test_a_place_without_a_solution_says_why(frame: Task) -> None:
     assert good.ok
 
 
+@pytest.mark.slow
 def test_places_in_other_processes_are_the_same_to_the_last_digit(frame: Task) -> None:
     pytest.importorskip("joblib")
     asked = places(24)

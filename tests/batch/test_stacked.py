@@ -223,6 +223,7 @@ def test_the_sweep_says_how_its_variants_were_solved() -> None:
     assert stacked.way(strict) == "variants solved one by one: a tolerance is asked for"
 
 
+@pytest.mark.slow
 def test_a_row_of_a_table_is_solved_together() -> None:
     """Whose columns are made of the motion alone, not of what the textbook has beside it."""
     names = ("motion.omega@3", "forces.R_A@3", "motion.max(omega)")

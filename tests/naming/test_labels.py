@@ -16,7 +16,7 @@ from tmmcalc.report.formula.symbols import with_letters
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 SPECS = sorted(CONFIGS.glob("*.toml"))
-QUICK = ("cam-flat", "gears-circulating", "manipulator-direct", "rotor", "shaper", "synth-dwell-optimum")
+QUICK = ("cam-flat", "gears-circulating", "manipulator-direct", "rotor", "shaper")
 ENGLISH = re.compile(r"[A-Za-z]{3,}")
 CYRILLIC = re.compile(r"[А-ЯІЇЄҐа-яіїєґ]")
 OF_ALL = ("min", "max", "sin", "cos", "AIbar")  # words that are signs in every language

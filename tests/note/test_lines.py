@@ -168,6 +168,7 @@ def test_couples_are_not_called_forces() -> None:
     assert not re.search(r"force of link \d, N·m", said)
 
 
+@pytest.mark.slow
 def test_a_number_that_is_the_result_stands_once() -> None:
     """``R_10y = −T_1y`` of a positive sum is a sign before a number, and that is the result."""
     twice = re.compile(r"= (\S+) = \1(?= |$)", re.MULTILINE)

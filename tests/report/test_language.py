@@ -196,6 +196,7 @@ def given() -> tuple[frozenset[str], re.Pattern[str]]:
     return frozenset(constants), re.compile("|".join(sorted(forms)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", OTHERS)
 def test_every_name_is_one_that_the_program_gives(language: str) -> None:
     constants, forms = given()

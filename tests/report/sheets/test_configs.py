@@ -26,6 +26,7 @@ from drawnsheets import (
     words_of,
 )
 from pages import dxf_lines, dxf_words, lines, size, words
+from sparing import sparing
 
 from tmmcalc.core.errors import TmmError
 from tmmcalc.report.drawing import written
@@ -117,14 +118,14 @@ def test_the_files_hold_what_is_drawn(name: str) -> None:
                 assert word in told_in_dxf
 
 
-@pytest.mark.parametrize("name", EXPECTED)
+@pytest.mark.parametrize("name", [pytest.param(n, marks=() if n in SAMPLE else pytest.mark.slow) for n in EXPECTED])
 def test_the_sheets_of_a_scene(name: str) -> None:
     sheets = [made.sheet for made in drawn(name, "en")]
     assert list(dict.fromkeys(sheet.subject for sheet in sheets)) == EXPECTED[name]
     assert [sheet.number for sheet in sheets] == list(range(1, len(sheets) + 1))
 
 
-@pytest.mark.parametrize("paper", FORMATS)
+@sparing("paper", FORMATS, every=len(FORMATS))
 def test_the_crank_has_its_length_at_the_scale(paper: str) -> None:
     """The crank of the shaper, 200 mm, is 200 mm over the number of the scale in PDF and DXF: 50.00 at 1:4."""
     linkage = drawn("shaper", "en", paper)[0]
