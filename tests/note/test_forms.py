@@ -36,7 +36,7 @@ NAMED = {"resistance"}  # the load of a linkage that is sought
 MM = 72 / 25.4
 
 
-@pytest.fixture(scope="module", params=["en", "uk"])
+@pytest.fixture(scope="module", params=["en", pytest.param("uk", marks=pytest.mark.slow)])
 def spoken(request: pytest.FixtureRequest) -> Any:
     """A language, and the shaper's note in it."""
     with speaking(request.param):

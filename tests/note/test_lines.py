@@ -63,6 +63,7 @@ def test_there_are_linkages_of_every_kind_of_dyad() -> None:
     assert {"shaper", "press", "four-bar", "trammel", "scotch-yoke", "four-dyads"} <= set(filter(linkage, SPECS))
 
 
+@pytest.mark.slow
 def test_the_shaper_moves_as_in_the_textbook() -> None:
     """Positions 6 and 18 of table D.2.1, recomputed: angles, and rates against l_1 omega_1 and its like."""
     assembler = Assembler()
