@@ -85,6 +85,7 @@ def test_sizes_of_a_rocker_beside_given_ones(cli: Cli, folder: Path, given: str)
     same(first, second, "cam_pressure", tolerance=1e-9)
 
 
+@pytest.mark.slow
 def test_the_lowest_cam(cli: Cli, folder: Path) -> None:
     old = config("cam-translating", folder)
     code, _, err = cli("cam", "optimize", "old.toml", "--no-store", "--spec", NEW)

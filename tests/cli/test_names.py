@@ -156,6 +156,7 @@ def test_a_wrong_name_in_a_constraint_is_one_error(cli: Cli, tmp_path: Path, lin
 BY_CHOICE = ("forces.max(R0_A)", "kinematics.vrel_D_C[phi=50 deg]", "forces.counters.dense", "motion.error.moment")
 
 
+@pytest.mark.slow
 def test_by_choice_in_a_sweep_and_in_constraints(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     asked = rows(cli("names", str(SHAPER), *BY_CHOICE, "-f", "csv").out)

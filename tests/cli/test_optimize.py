@@ -32,6 +32,7 @@ def spec(tmp_path: Path) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_the_best_design_is_a_ready_spec(cli: Cli, spec: Path) -> None:
     out = spec.with_name("best.toml")
     told = cli("optimize", str(spec), "--spec", str(out), "-f", "json")

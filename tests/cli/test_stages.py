@@ -453,6 +453,7 @@ links = [0, 1]
     assert cli("kinematics", "crank.toml", "-q")[0] == 0
 
 
+@pytest.mark.slow
 def test_a_long_table_shows_some_of_its_positions(cli: Cli) -> None:
     few = cli("kinematics", "my.toml", "--no-store", "--set", "mechanism.grid.positions=5000")
     assert "one position in 3: --positions names others" in few.out

@@ -86,6 +86,7 @@ def test_what_is_wrong_is_one_error(cli: Cli, spec: Path) -> None:
     assert told.code == 2
 
 
+@pytest.mark.slow
 def test_results_are_listed_as_for_sensitivities_and_overrides_hold_for_all(cli: Cli, spec: Path) -> None:
     """Commas within brackets are part of a name, flags add; a title that is overridden is that of the document."""
     one = ("--samples", "64", "-q", "--set", "mechanism.grid.positions=12", "--set", 'project.title="Mine"')

@@ -82,6 +82,7 @@ def inertia(speed: Any, second: Any, third: Any, delta: Any) -> Any:
     return (work(high) - work(low)) / (delta * (speed * mp.pi / 30) ** 2)
 
 
+@pytest.mark.slow
 def test_the_flywheel_of_a_torque_diagram() -> None:
     keys = ["torque.speed", "torque.harmonics.terms[0].sin", "torque.harmonics.terms[1].cos", "flywheel.delta"]
     check(HERE / "torque.toml", "flywheel.J_F", keys, slopes(inertia, [100, -90, 40, "0.05"]))

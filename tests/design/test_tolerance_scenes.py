@@ -71,6 +71,7 @@ def test_what_samples_tell_has_its_interval_and_outer_quantiles_need_enough(
     assert any(note.startswith("normal: 3 sigma") for note in document.notes)
 
 
+@pytest.mark.slow
 def test_small_tolerances_are_linear(tmp_path: Path) -> None:
     """H = 2 l_3 l_1 / l_0: what sampled and linear sigmas differ by falls with the square of the tolerances."""
     off = []
@@ -91,6 +92,7 @@ def test_small_tolerances_are_linear(tmp_path: Path) -> None:
     assert off[1] < 2e-3
 
 
+@pytest.mark.slow
 def test_where_a_result_is_least_the_linear_model_sees_nothing(tmp_path: Path) -> None:
     """The stroke of a centric crank-slider by its offset e: H = 2 r + c e^2, chi-square of one degree of freedom."""
     r, l, e = 0.1, 0.32, 0.006
@@ -136,6 +138,7 @@ def test_a_guide_that_goes_up_to_the_limit_of_assembly(tmp_path: Path) -> None:
     assert int(np.isnan(found.values[:, 0]).sum()) == refused
 
 
+@pytest.mark.slow
 def test_a_clearance_presses_where_the_force_is_largest(tmp_path: Path) -> None:
     """Against the run itself: the reaction in C on the slotted link, turned into its axes."""
     found = of(tmp_path, 'joint = "C"\nclearance = ["0.02 mm", "0.06 mm"]\ndirection = "force"')

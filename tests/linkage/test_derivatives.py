@@ -32,11 +32,11 @@ KEYS = [
     ("four-bar", "mechanism.links[id=2].points.B[0]={}", None, 5e-4),
     ("four-bar", "mechanism.input.start={}", 0.0, 0.02),
     ("class-three", "mechanism.links[id=1].points.A[0]={}", None, 2e-4),
-    ("class-four", "mechanism.input.speed={}", 10.0, 5e-3),
+    pytest.param("class-four", "mechanism.input.speed={}", 10.0, 5e-3, marks=pytest.mark.slow),
     ("class-three-slider", "mechanism.links[id=3].mass={}", None, 0.1),
     ("crank-slider", "mechanism.links[id=2].points.B[0]={}", None, 5e-4),
     ("slotted-link", "mechanism.links[id=1].points.A[0]={}", None, 2e-4),
-    ("scissor-lift", "mechanism.input.start={}", 1.18, 2e-3),
+    pytest.param("scissor-lift", "mechanism.input.start={}", 1.18, 2e-3, marks=pytest.mark.slow),
     ("hydraulic-lift", "mechanism.input.speed={}", 0.05, 2e-3),
     ("press", "mechanism.links[id=2].mass={}", None, 0.05),
 ]

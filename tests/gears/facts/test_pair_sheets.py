@@ -18,7 +18,7 @@ from tmmcalc.report.drawing.shapes import Drawing
 
 DRAWINGS = {"pair": pair_drawing, "profile": profile_drawing, "blocking": blocking_drawing, "wheel": wheel_drawing}
 SHOWN = {name: [stage for stage in plan(spec).running if stage in DRAWINGS] for name, spec in SPECS.items()}
-QUICK = ("pair", "pair-rack", "wheel")  # the others are long
+QUICK = ("pair-rack", "wheel")  # the others are long
 MOST = 0.01  # of the names have no free place
 
 

@@ -107,6 +107,7 @@ def cells(document: Document) -> Iterator[dict[str, object]]:
         yield dict(zip(document.table.headers, row, strict=True))
 
 
+@pytest.mark.slow
 def test_they_are_what_the_documents_of_all_rows_tell() -> None:
     """Every row of the documents by its name; and no name has more than they do."""
     for rows in scenes():
