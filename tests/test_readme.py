@@ -20,7 +20,8 @@ TOML = re.compile(r"```toml\n(.*?)```", re.DOTALL)
 PYTHON = re.compile(r"```python\n(.*?)```", re.DOTALL)
 LINK = re.compile(r"\]\(([^)#:]+)(?:#([^)]*))?\)")
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
-LONG = {"batch", "cams", "class", "constraints", "design", "machine", "note", "page"}  # pages whose commands take long
+# pages whose commands take long
+LONG = {"batch", "cams", "class", "constraints", "design", "linkages", "machine", "note", "page", "sheets", "vibration"}
 
 
 def name_of(document: Path) -> str:

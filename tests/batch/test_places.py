@@ -116,6 +116,7 @@ def test_places_about_one_point_alone_are_solved_as_they_are() -> None:
     assert list(row.values) == pytest.approx(list(alone.values), rel=1e-10)
 
 
+@pytest.mark.slow
 def test_transmission_angles_of_many_are_those_of_each(frame: Task) -> None:
     """Found at once, between positions too; a place that is not like the others is left out where it is not asked."""
     angles = tuple(

@@ -100,6 +100,7 @@ def test_random_variants_of_all_kinds_of_keys(tmp_path: Path) -> None:
     assert difference < SAME
 
 
+@pytest.mark.slow
 def test_directions_of_guides_and_the_motor_s_characteristic(tmp_path: Path) -> None:
     keys = {
         "mechanism.joints[name=A3].guide.angle[deg]": (-1, 1),

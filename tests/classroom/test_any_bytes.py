@@ -43,6 +43,7 @@ def test_bytes(content: bytes, name: str) -> None:
     read(name, content)
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @given(CELLS, st.sampled_from(["utf-8", "utf-16", "utf-8-sig"]), st.sampled_from(["1.csv", "x.csv", "1.toml"]))
 def test_texts(text: str, encoding: str, name: str) -> None:
@@ -75,6 +76,7 @@ def test_workbooks(text: str, part: str) -> None:
     read("1.xlsx", buffer.getvalue())
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None)
 @given(st.text(max_size=40))
 def test_numbers_and_units(text: str) -> None:

@@ -81,6 +81,7 @@ def share_named(seed: int, noise: float, least: int = 1) -> float:
     return float(np.mean(named))
 
 
+@pytest.mark.slow
 def test_a_planted_mistake_is_named_first() -> None:
     assert share_named(1, noise=0.0) >= 0.95
     assert share_named(2, noise=0.0, least=2) >= 0.98

@@ -183,6 +183,7 @@ def test_nothing_is_drawn_where_there_are_enough(tmp_path: Path) -> None:
     assert (made.fresh, made.files, contents(folder)) == ((), (), before)
 
 
+@pytest.mark.slow
 def test_a_lost_file_is_written_again(twelve: tuple[Path, Made], tmp_path: Path) -> None:
     folder = tmp_path / "class"
     make_class(SHAPER, folder, 3, 7, jobs=1)
@@ -424,6 +425,7 @@ def test_a_linkage_that_never_turns_is_told(tmp_path: Path, monkeypatch: pytest.
         make_class(file, tmp_path / "class", 5, 7, jobs=1)
 
 
+@pytest.mark.slow
 def test_a_small_assignment_is_drawn_out(tmp_path: Path) -> None:
     """Of three values there are no four variants: it ends when all are tried."""
     text = SHAPER.read_text(encoding="utf-8")

@@ -67,6 +67,7 @@ def test_sheets_and_tables_stand_in_their_folders(made: Cli) -> None:
     assert not Path("class/keys").exists()
 
 
+@pytest.mark.slow
 def test_no_sheets_and_a_form_that_there_is_not(cli: Cli) -> None:
     shutil.copy(CONFIGS / "class-shaper.toml", "assignment.toml")
     told = cli("class", "make", "assignment.toml", "-n", "2", "--sheets", "odt", "--skip-mistakes")
@@ -119,6 +120,7 @@ def test_faults_are_told_before_keys_are_made(made: Cli, words: tuple[str, ...],
     assert not Path("class/keys").exists()
 
 
+@pytest.mark.slow
 def test_results_and_grades(keyed: Cli) -> None:
     fill({"H": "=1+1", "K": "<b>$x$</b>"}, 1.0)
     words = ("--sheets", "results", "--sheet-form", "html", "--full", "full.html", "--gradebook", "g.csv")

@@ -100,6 +100,7 @@ def test_results_are_listed_as_for_sensitivities_and_overrides_hold_for_all(cli:
     assert "--of: a name is missing" in none.err
 
 
+@pytest.mark.slow
 def test_pictures_speak_the_language_that_is_asked_for(cli: Cli, spec: Path, tmp_path: Path) -> None:
     """Words, units and decimal signs of histograms and of the band."""
     asked = ("--of", "kinematics.stroke_D", "--band", "kinematics.S_D", "--samples", "2048", "-q", "--balance", "none")

@@ -136,6 +136,7 @@ def test_a_makefile_knows_the_workbook(cli: Cli) -> None:
     assert "my.toml" in needs
 
 
+@pytest.mark.slow
 def test_several_specs_have_a_workbook_each(cli: Cli) -> None:
     Path("b.toml").write_text(Path("my.toml").read_text())
     code, out, _ = cli("run", "my.toml", "b.toml", "--to", "kinematics", "-f", "xlsx", "-o", "all", "-q")

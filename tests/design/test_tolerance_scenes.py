@@ -33,6 +33,7 @@ def of(
     return tolerate(asked, warn=lambda said: None)
 
 
+@pytest.mark.slow
 def test_a_result_that_is_linear_is_so_in_every_sample(tmp_path: Path) -> None:
     """H = 2 l_3 l_1 / l_0 of l_3 alone: the samples are normal ones, with the sigma of the linear model."""
     found = of(tmp_path, f'of = "{SLOTTED}"\ntolerance = "0.6 mm"')

@@ -87,6 +87,7 @@ def test_narrow_tables_stay_beside_each_other() -> None:
     assert [len(each.head) for each in grids(table(3, 25), table(3, 25, "u"))] == [4, 4]
 
 
+@pytest.mark.slow
 @sparing("language", ["en", "uk"], every=2)
 def test_heads_of_columns_begin_with_capitals(language: str) -> None:
     with speaking(language):

@@ -223,6 +223,7 @@ def test_every_kind_is_exact_and_works_out_as_printed(kind: str, tmp_path: Path)
     assert "nan" not in text(note)
 
 
+@pytest.mark.slow
 def test_the_worked_cam_with_friction() -> None:
     """Case cams-s20: offset stem, cosine rise, shun return; table positions 3 (20 deg), 6 (40 deg), 19 (145 deg)."""
     found = values(told("cam-translating", "3,6,19", ONLY))

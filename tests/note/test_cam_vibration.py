@@ -168,6 +168,7 @@ def test_every_figure_and_table_is_named_by_a_text(name: str) -> None:
             assert f"{{tab:{key}}}" in said, key
 
 
+@pytest.mark.slow
 def test_a_concave_radius_is_warned_of_once() -> None:
     said = text(written("cam-oscillating"))
     assert said[said.index("Conclusions") :].count("23.884") == 2  # in the table, in one sentence

@@ -101,6 +101,7 @@ def said_in(text: Text) -> Iterator[str]:
     yield from (part for part in text.parts if isinstance(part, str))
 
 
+@pytest.mark.slow
 def test_a_document_of_word_has_every_formula_as_an_equation(spoken: Any) -> None:
     _, note = spoken
     archive = zipfile.ZipFile(BytesIO(document(note, "Shaper")))

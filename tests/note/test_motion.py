@@ -223,6 +223,7 @@ def test_the_exact_line_is_on_one_side_of_a_jump() -> None:
     assert line.found.error < 1e-12
 
 
+@pytest.mark.slow
 def test_a_time_that_is_given_is_no_result() -> None:
     """The start-up is followed for 15 s; the stop ends by itself."""
     results = [each for each in blocks(told("course-project", only=("motion",))) if isinstance(each, Result)]

@@ -115,6 +115,7 @@ def test_a_spur_wheel_has_no_normal_section() -> None:
     assert "β" not in text(written("pair-spur", only=ONLY))
 
 
+@pytest.mark.slow
 def test_a_wheel_of_two_meshes_is_told_once() -> None:
     said = text(written("gears-pairs", only=ONLY))
     assert said.count("Tooth of wheel 2 by points") == 1

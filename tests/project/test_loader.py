@@ -209,6 +209,7 @@ def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
     assert names & loaded_by(TORQUE) >= alone
 
 
+@pytest.mark.slow
 def test_files_are_read_only_when_a_spec_names_one(shaper: str) -> None:
     reader = "tmmcalc.project.files"
     load = "\n[[loads]]\nlink = 5\npoint = [0, 0]\n"

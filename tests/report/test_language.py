@@ -139,6 +139,7 @@ def vectors_of(within: ast.FunctionDef) -> Iterator[ast.expr]:
                     seen.add(said)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", OTHERS)
 def test_every_vector_of_the_notes_has_projections(language: str) -> None:
     """In English there are projections of any noun; in another language of those whose genitive is known."""

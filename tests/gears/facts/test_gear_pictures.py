@@ -443,7 +443,7 @@ UNSOLVED = "extreme/no-tooth-set"
 TRAINED = [name for name in names() if "[train" in (folder() / f"{name}.toml").read_text() and name != UNSOLVED]
 
 
-@sparing("name", TRAINED, every=5, first=1)
+@sparing("name", TRAINED, every=5, first=2)
 @pytest.mark.parametrize("make", [figure, figure_of_criteria], ids=["train", "criteria"])
 def test_ready_specs_on_paper(name: str, make: Callable[[Order], Drawing]) -> None:
     """Nothing over the edge of the sheets, hardly a name without a free place, no file of thousands of signs."""
