@@ -262,6 +262,7 @@ def test_ranges_hold_the_sizes(asked: dict[str, tuple[float, float]], wanted: st
     assert found.least.height <= found.chosen.height + 1e-9
 
 
+@pytest.mark.slow
 def test_refusals_say_why() -> None:
     with pytest.raises(NoSolutionError, match="ranges of"):
         solve_optimum(task_of(centre_distances=(0.01, 0.03)), ROCKER)

@@ -131,6 +131,7 @@ def test_the_table_makes_the_variants_too(twelve: tuple[Path, Made]) -> None:
     assert one.linkage == load_spec(folder / "variants" / "07.toml").linkage
 
 
+@pytest.mark.slow
 def test_processes_change_nothing(twelve: tuple[Path, Made], tmp_path: Path) -> None:
     folder, _ = twelve
     other = make_class(SHAPER, tmp_path / "class", 12, 7, jobs=2)
@@ -415,6 +416,7 @@ def test_too_few_are_told_by_the_demand_that_removes_most(
     assert not (tmp_path / "class").exists()
 
 
+@pytest.mark.slow
 def test_a_linkage_that_never_turns_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A connecting rod drawn shorter than the way that the end of the slotted link is off the line of the ram."""
     monkeypatch.setattr(choosing, "MOST", 300)

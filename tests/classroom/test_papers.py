@@ -101,6 +101,7 @@ def test_a_docx_is_opened(folder: Path) -> None:
     assert {"H", "K", "M_b"} <= cells
 
 
+@pytest.mark.slow
 def test_empty_tables_are_read_and_those_that_are_filled_stay(folder: Path, school: School) -> None:
     pile = read_answers(folder / "answers", school.items, school.book.keys)
     assert not pile.refused
@@ -117,6 +118,7 @@ def test_empty_tables_are_read_and_those_that_are_filled_stay(folder: Path, scho
     assert all(answer.text for each in pile.hand_ins for answer in each.answers)
 
 
+@pytest.mark.slow
 def test_sheets_of_other_students_go(folder: Path, school: School) -> None:
     left, kept = folder / "sheets" / "09-Ada.pdf", folder / "sheets" / "plan.txt"
     left.touch()

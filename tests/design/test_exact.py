@@ -96,6 +96,7 @@ def check(config: str, names: list[str], keys: list[str], part: float) -> None:
                 assert abs(one.value - other.value) <= most, (key, name)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("config", "names", "keys"), QUICK)
 def test_exact_derivatives_are_those_of_differences(config: str, names: list[str], keys: list[str]) -> None:
     check(config, names, keys, 1.0)

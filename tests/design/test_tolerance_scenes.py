@@ -167,6 +167,7 @@ def test_a_clearance_presses_where_the_force_is_largest(tmp_path: Path) -> None:
     assert any("at all positions" in note for note in tolerance_document(found, "t").notes)
 
 
+@pytest.mark.slow
 def test_a_clearance_at_an_angle_and_a_slider_on_one_side(tmp_path: Path) -> None:
     found = of(
         tmp_path,
@@ -185,6 +186,7 @@ def test_a_clearance_at_an_angle_and_a_slider_on_one_side(tmp_path: Path) -> Non
     assert found.sources.count == 1
 
 
+@pytest.mark.slow
 def test_pieces_that_were_measured(tmp_path: Path) -> None:
     sizes = np.random.default_rng(5).normal(199.98, 0.02, 200)
     lines = "\n".join(f"{at};{size:.4f}" for at, size in enumerate(sizes))

@@ -9,6 +9,7 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tests.linkage.scenes import CONFIGS, crank_slider, four_bar
 from tmmcalc.core.numerics.alike import numbers, paths
@@ -32,11 +33,11 @@ KEYS = [
     ("four-bar", "mechanism.links[id=2].points.B[0]={}", None, 5e-4),
     ("four-bar", "mechanism.input.start={}", 0.0, 0.02),
     ("class-three", "mechanism.links[id=1].points.A[0]={}", None, 2e-4),
-    pytest.param("class-four", "mechanism.input.speed={}", 10.0, 5e-3, marks=pytest.mark.slow),
+    ("class-four", "mechanism.input.speed={}", 10.0, 5e-3),
     ("class-three-slider", "mechanism.links[id=3].mass={}", None, 0.1),
     ("crank-slider", "mechanism.links[id=2].points.B[0]={}", None, 5e-4),
     ("slotted-link", "mechanism.links[id=1].points.A[0]={}", None, 2e-4),
-    pytest.param("scissor-lift", "mechanism.input.start={}", 1.18, 2e-3, marks=pytest.mark.slow),
+    ("scissor-lift", "mechanism.input.start={}", 1.18, 2e-3),
     ("hydraulic-lift", "mechanism.input.speed={}", 0.05, 2e-3),
     ("press", "mechanism.links[id=2].mass={}", None, 0.05),
 ]
@@ -91,7 +92,7 @@ def scale_of(told: dict[str, Any], header: str) -> float:
     return max(float(np.max(np.abs(value))) for key, value in told.items() if key.endswith(unit)) or 1.0
 
 
-@pytest.mark.parametrize(("config", "key", "at", "h"), KEYS)
+@sparing(("config", "key", "at", "h"), KEYS, every=3, first=1)
 def test_derivatives_are_those_of_the_whole_program(config: str, key: str, at: float | None, h: float) -> None:
     scene = Scene(config, key, at)
     mechanism, loading = scene.tree(0.0)

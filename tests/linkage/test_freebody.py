@@ -33,7 +33,7 @@ def test_a_force_polygon_that_does_not_close_is_seen() -> None:
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
-@sparing("name", LINKAGES, every=4)
+@sparing("name", LINKAGES, every=8)
 def test_every_body_is_in_equilibrium(name: str, side: float) -> None:
     mechanism = ready(name)
     scene = statics(mechanism, anything(mechanism))

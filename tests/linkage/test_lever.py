@@ -102,7 +102,7 @@ def test_a_gear_on_the_crank() -> None:
     assert balanced(found, kinematics)
 
 
-@sparing("name", LINKAGES, every=3)
+@sparing("name", LINKAGES, every=6)
 def test_ready_mechanisms(name: str) -> None:
     """Higher groups, driven sliders and driven lengths too, with friction, springs, dampers, moments."""
     mechanism = ready(name)

@@ -38,7 +38,7 @@ def test_no_column_of_a_linkage_is_refused(name: str) -> None:
     check_all(name)
 
 
-@sparing("name", EVERY, every=5)
+@sparing("name", EVERY, every=10)
 def test_no_column_is_refused(name: str) -> None:
     check_all(name)
 

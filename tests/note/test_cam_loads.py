@@ -296,6 +296,7 @@ def test_the_indexing_drive_of_the_paper() -> None:
     assert found["ϑ_B", "at k = 0.75"] == -found["ϑ_B", "at k = 0.25"]
 
 
+@pytest.mark.slow
 def test_what_a_scene_lacks_leaves_no_trace(tmp_path: Path) -> None:
     bare = text(Assembler().written(told_of("no spring", tmp_path)))
     assert not re.search(r"μ|jam|Return spring|guide", bare)

@@ -117,6 +117,7 @@ def mirrored(law: Law) -> Law:
     return Law("mirrored", breaks, rows, *waves)
 
 
+@pytest.mark.slow
 def test_mutants_of_the_closed_form_are_caught(tmp_path: Path) -> None:
     """All formulas of a harmonic and of a polynomial, with damping."""
     caught: dict[object, bool] = {}

@@ -82,6 +82,7 @@ def balanced(rows: Rows, result: Forces) -> None:
             np.testing.assert_allclose(moments[name], size * np.where(size > 0, arms[name], 0.0), rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_the_terms_balance() -> None:
     for rows in scenes():
         balanced(rows, rows.result)

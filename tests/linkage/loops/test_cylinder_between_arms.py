@@ -215,6 +215,7 @@ acceleration = "20 mm/s^2"
 """
 
 
+@pytest.mark.slow
 def test_from_rest_to_rest_though_the_platform_only_translates(tmp_path: Path) -> None:
     """The platform's angle is zero but for rounding, which is no motion that has to be followed."""
     (tmp_path / "rise.toml").write_text(FILE.read_text() + RISE)
