@@ -122,6 +122,7 @@ def test_a_stage_that_breaks_ends_only_what_needs_it() -> None:
         assert [*bench.scene(amiss={"power": wrong}).results] == ["structure", "kinematics", "reduction"]
 
 
+@pytest.mark.slow
 def test_the_key_of_a_course_project() -> None:
     spec = load_spec(CONFIGS / "course-project.toml")
     told = mistakes_of(spec)

@@ -132,6 +132,7 @@ def test_the_table_makes_the_variants_too(twelve: tuple[Path, Made]) -> None:
     assert one.linkage == load_spec(folder / "variants" / "07.toml").linkage
 
 
+@pytest.mark.slow
 def test_processes_change_nothing(twelve: tuple[Path, Made], tmp_path: Path) -> None:
     folder, _ = twelve
     other = make_class(SHAPER, tmp_path / "class", 12, 7, jobs=2)
@@ -142,6 +143,7 @@ def test_processes_change_nothing(twelve: tuple[Path, Made], tmp_path: Path) -> 
     assert other.refused == twelve[1].refused
 
 
+@pytest.mark.slow
 def test_what_many_are_judged_by_is_what_each_is_judged_by() -> None:
     """The linkage and forces of sixty at once refuse those that all stages of each refuse, by the same demand."""
     judge = Judge(SHAPER, 1)
@@ -170,6 +172,7 @@ def test_presses_whose_ram_turns_twice_are_judged_together_though_most_turn_four
         assert {each.key for each in values} <= {*row.names}
 
 
+@pytest.mark.slow
 def test_more_are_drawn_later_and_those_given_out_stay(twelve: tuple[Path, Made], tmp_path: Path) -> None:
     folder = tmp_path / "class"
     make_class(SHAPER, folder, 8, 7, jobs=1)
@@ -188,6 +191,7 @@ def test_more_are_drawn_later_and_those_given_out_stay(twelve: tuple[Path, Made]
     assert read_class(folder).variants == twelve[1].own.variants
 
 
+@pytest.mark.slow
 def test_nothing_is_drawn_where_there_are_enough(tmp_path: Path) -> None:
     folder = tmp_path / "class"
     make_class(SHAPER, folder, 3, 7, jobs=1)
@@ -196,6 +200,7 @@ def test_nothing_is_drawn_where_there_are_enough(tmp_path: Path) -> None:
     assert (made.fresh, made.files, contents(folder)) == ((), (), before)
 
 
+@pytest.mark.slow
 def test_a_lost_file_is_written_again(twelve: tuple[Path, Made], tmp_path: Path) -> None:
     folder = tmp_path / "class"
     make_class(SHAPER, folder, 3, 7, jobs=1)
@@ -209,6 +214,7 @@ class StopError(Exception):
     """What stops a run in the midst."""
 
 
+@pytest.mark.slow
 def test_a_run_that_was_stopped_goes_on(
     twelve: tuple[Path, Made], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -238,6 +244,7 @@ def test_a_run_that_was_stopped_goes_on(
     }
 
 
+@pytest.mark.slow
 def test_a_changed_assignment_is_refused_unless_fresh(tmp_path: Path) -> None:
     file, folder = written(tmp_path), tmp_path / "class"
     make_class(file, folder, 3, 7, jobs=1)
@@ -260,6 +267,7 @@ def test_a_changed_assignment_is_refused_unless_fresh(tmp_path: Path) -> None:
     assert sorted(path.name for path in (folder / "variants").iterdir()) == ["01.toml", "02.toml"]
 
 
+@pytest.mark.slow
 def test_who_comes_later_gets_a_new_variant_and_who_leaves_keeps_it(tmp_path: Path) -> None:
     roster = tmp_path / "roster.txt"
     roster.write_text("Шевченко Тарас\n\nIvanenko\n  Шевченко   Тарас \n", encoding="utf-8")
@@ -285,6 +293,7 @@ def test_who_comes_later_gets_a_new_variant_and_who_leaves_keeps_it(tmp_path: Pa
     assert [each.student for each in read_class(folder).variants[5:]] == ["", ""]
 
 
+@pytest.mark.slow
 def test_a_roster_names_the_variants_that_have_no_name_first(tmp_path: Path) -> None:
     file, folder = written(tmp_path), tmp_path / "class"
     before = make_class(file, folder, 2, 7, jobs=1).own.variants
@@ -328,6 +337,7 @@ def test_a_state_that_was_edited_is_refused_and_nothing_is_written(
     assert contents(folder) == before
 
 
+@pytest.mark.slow
 def test_what_is_given_and_numbers_in_comments_are_told(tmp_path: Path) -> None:
     more = '[[class.asked]]\nresult = "kinematics.size(omega_1)"\nunit = "rpm"\nname = "n"\n'
     comment = ("[project]", "# The crank is 200 mm long; 1200 mm, 620.5 mm and 620 mmm are other numbers.\n[project]")
@@ -407,6 +417,7 @@ IMPOSSIBLE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", IMPOSSIBLE)
 def test_too_few_are_told_by_the_demand_that_removes_most(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
@@ -421,6 +432,7 @@ def test_too_few_are_told_by_the_demand_that_removes_most(
     assert not (tmp_path / "class").exists()
 
 
+@pytest.mark.slow
 def test_a_linkage_that_never_turns_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A connecting rod drawn shorter than the way that the end of the slotted link is off the line of the ram."""
     monkeypatch.setattr(choosing, "MOST", 300)
@@ -431,6 +443,7 @@ def test_a_linkage_that_never_turns_is_told(tmp_path: Path, monkeypatch: pytest.
         make_class(file, tmp_path / "class", 5, 7, jobs=1)
 
 
+@pytest.mark.slow
 def test_a_small_assignment_is_drawn_out(tmp_path: Path) -> None:
     """Of three values there are no four variants: it ends when all are tried."""
     text = SHAPER.read_text(encoding="utf-8")
@@ -446,6 +459,7 @@ def test_a_small_assignment_is_drawn_out(tmp_path: Path) -> None:
         make_class(file, tmp_path / "class", 4, jobs=1)
 
 
+@pytest.mark.slow
 def test_a_mistake_that_gives_the_right_answer_removes_a_variant_or_is_told() -> None:
     """One clashes for one crank of nine, one always: the first is avoided, the second is told."""
 

@@ -81,6 +81,7 @@ def files(school: School, tmp_path_factory: pytest.TempPathFactory) -> list[Path
     return [each for each in sorted(place.rglob("*")) if each.is_file() and not {*each.parents} & kept]
 
 
+@pytest.mark.slow
 def test_no_file_for_students_tells_an_answer(files: list[Path], school: School, given: set[str]) -> None:
     kinds = {each.suffix for each in files}
     assert kinds >= {".pdf", ".docx", ".html", ".typ", ".txt", ".svg", ".png", ".toml", ".csv", ".md"}

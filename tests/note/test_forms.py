@@ -36,7 +36,7 @@ NAMED = {"resistance"}  # the load of a linkage that is sought
 MM = 72 / 25.4
 
 
-@pytest.fixture(scope="module", params=["en", "uk"])
+@pytest.fixture(scope="module", params=["en", pytest.param("uk", marks=pytest.mark.slow)])
 def spoken(request: pytest.FixtureRequest) -> Any:
     """A language, and the shaper's note in it."""
     with speaking(request.param):
@@ -101,6 +101,7 @@ def said_in(text: Text) -> Iterator[str]:
     yield from (part for part in text.parts if isinstance(part, str))
 
 
+@pytest.mark.slow
 def test_a_document_of_word_has_every_formula_as_an_equation(spoken: Any) -> None:
     _, note = spoken
     archive = zipfile.ZipFile(BytesIO(document(note, "Shaper")))
