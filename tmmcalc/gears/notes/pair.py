@@ -53,13 +53,13 @@ SCALE = 2.8  # height of the letters of the scale of a mesh [mm]
 
 def blocks(order: Order) -> Iterator[Block]:
     """Every pair, one after another."""
-    pairs = order.results["pair"].pairs
+    pairs, listed = order.results["pair"].pairs, order.spec.pair.teeth is not None
     contours = order.results["blocking"].pairs if "blocking" in order.results else ()
     for k, found in enumerate(pairs, 1):
         own = found.task
         same = (each for each in contours if (each.name, tuple(each.teeth)) == (own.name, tuple(own.teeth)))
         span = next((_span(each, found) for each in same), None)
-        yield from _pair(told_of(found), span, f"pair{k}", _teeth(found.task) if pairs[1:] else "")
+        yield from _pair(told_of(found), span, f"pair{k}", _teeth(found.task) if pairs[1:] else "", listed=listed)
 
 
 def _teeth(task: PairTask) -> str:
@@ -75,11 +75,16 @@ def _span(contour: PairContour, found: MeshPair) -> tuple[float, float] | None:
     return low, high
 
 
-def _pair(told: Told, span: tuple[float, float] | None, key: str, of: str) -> Iterator[Block]:
-    """A pair; ``of`` are its teeth where there are several, ``span`` the ends of x1 whose middle it has."""
+def _pair(told: Told, span: tuple[float, float] | None, key: str, of: str, *, listed: bool) -> Iterator[Block]:
+    """A pair; ``of`` are its teeth where there are several, ``span`` the ends of x1 whose middle it has.
+
+    ``listed``: its data are in the table of the task.
+    """
     found, task = told.found, told.found.task
     yield Heading(title_of(found))
-    yield from _data(told, key, of)
+    if not listed:
+        yield from _data(told, key, of)
+    yield from _rule(task)
     if task.kind != "rack":
         yield Heading(tr("Shifts and centre distance"), 3)
         yield from told.lines(*SECTION * bool(task.helix))
@@ -137,12 +142,15 @@ def given_quantities(found: MeshPair) -> list[str]:
 
 
 def _data(told: Told, key: str, of: str) -> Iterator[Block]:
-    """What is given, and how the shifts are chosen."""
-    task = told.found.task
+    """What is given."""
     yield Paragraph(tr("The given data of the pair are in table {table}.", table=f"{{tab:{key}_data}}"))
     yield parameters(
         captioned(tr("Given data of the pair"), of), given_quantities(told.found), told.lexicon, f"{key}_data"
     )
+
+
+def _rule(task: PairTask) -> Iterator[Block]:
+    """Which wheel is which, and how the shifts are chosen."""
     if task.wheels != USUAL:
         first, second = task.wheels
         yield Paragraph(
