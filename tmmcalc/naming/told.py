@@ -22,7 +22,16 @@ from tmmcalc.naming.rows import There, asked_of
 from tmmcalc.naming.scene import Scene
 from tmmcalc.naming.table import Table, columns_of, table_of
 
-MEANT = {"at_max": "where it is largest", "at_min": "where it is smallest", "at_size": "where its magnitude is largest"}
+MEANT = {  # what functions of names ask for in words; the others say it themselves
+    "at_max": "where it is largest",
+    "at_min": "where it is smallest",
+    "at_size": "where its magnitude is largest",
+    "range": "greatest value less the least",
+    "size": "largest magnitude",
+    "first": "value at the beginning",
+    "last": "value at the end",
+    "chosen": "of what is chosen",
+}
 CHOICE = "by choice"
 EXTREMES = {
     "min": "{quantity}: least value",
@@ -332,6 +341,6 @@ def _of_column(
     value, told_in, how = asked_of(own, result, table, header, there)
     meaning, symbol = meant
     asked = MEANT.get(name.of, name.of)
-    meaning = f"{meaning}: {asked}" if meaning and asked else meaning
+    meaning = Phrase("{quantity}: {word}", quantity=meaning, word=asked) if meaning and asked else meaning
     if name.unit in (None, told_in):
         yield Told(stage, own.quantity, value, told_in, how, meaning, symbol)
