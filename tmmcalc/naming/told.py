@@ -171,7 +171,10 @@ def listed(stage: str, result: Any) -> Iterator[Told | Extent]:
 
 
 def _of_columns(stage: str, result: Any) -> Callable[[str, str], tuple[str, str]]:
-    """A function of the name and the unit of a column: meaning and symbol, as the result itself or its stage says."""
+    """A function of the name and the unit of a column: meaning and symbol, as the result itself or its stage says.
+
+    Else it is what the fact of its name means: that of one row, as of a solution the first.
+    """
     known = described(stage, column=True)
 
     @cache
@@ -180,9 +183,14 @@ def _of_columns(stage: str, result: Any) -> Callable[[str, str], tuple[str, str]
         own = made(result) if made else ()
         return {} if isinstance(own, Mapping) else {each.name: (each.meaning, each.symbol) for each in own}
 
+    @cache
+    def of_facts() -> Mapping[tuple[str, str], tuple[str, str]]:
+        return {(each.name, each.unit): meant(stage, each) for each in labelled(stage, result)}
+
     def found(name: str, unit: str) -> tuple[str, str]:
-        meant = declared().get(name, ("", ""))
-        return meant if meant[0] else known(name, unit)
+        own = declared().get(name, ("", ""))
+        own = own if own[0] else known(name, unit)
+        return own if own[0] else of_facts().get((name, "" if unit == "-" else unit), ("", ""))
 
     return found
 

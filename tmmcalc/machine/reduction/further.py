@@ -43,9 +43,7 @@ OF_ATTACHED = (
     Quantity("J_red_{name}[kg*m^2]", "what the {name} adds to the reduced inertia"),
     Quantity("dJ_red_{name}[kg*m^2/rad]", "what the {name} adds to the slope of the reduced inertia"),
 )
-OF_WEIGHT = Quantity(
-    "{letter}_red_weight_{link}[{unit}]", "{force} of the weight of link {link}", source="(3.34)"
-)
+OF_WEIGHT = Quantity("{letter}_red_weight_{link}[{unit}]", "{force} of the weight of link {link}", source="(3.34)")
 VALUE = Quantity("load_{load}[{unit}]", "value of load {load} along its direction", source="(3.34)")
 TRANSFER = Quantity(
     "dS_of_{load}[{value}/{per}]",

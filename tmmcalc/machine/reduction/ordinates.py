@@ -12,9 +12,9 @@ import numpy as np
 
 from tmmcalc.core.columns import Column, column
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.simpson import simpson, simpson_weights
 from tmmcalc.core.plane import Real
-from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.reduction.columns import called, contribution_name, reduced
