@@ -18,7 +18,6 @@ from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.project import load_spec
 
 CONFIGS = Path(__file__).parents[1] / "configs"
-READY = sorted(path.stem for path in CONFIGS.glob("*.toml") if load_spec(path).mechanism is not None)
 DEG = np.pi / 180
 
 PRESS_BODIES = (Body(2, 12, 0.055, 0.055 + 0j), Body(3, 24, 0, 0j))

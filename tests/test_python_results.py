@@ -119,6 +119,7 @@ def test_without_the_library_of_frames(
         run.kinematics.to_frame(library)
 
 
+@pytest.mark.slow
 def test_a_workbook(run: tmmcalc.Run, tmp_path: Path, folder: Path) -> None:
     run.to_xlsx(tmp_path / "a.xlsx")
     page = openpyxl.load_workbook(tmp_path / "a.xlsx")["forces"]

@@ -20,6 +20,8 @@ TOML = re.compile(r"```toml\n(.*?)```", re.DOTALL)
 PYTHON = re.compile(r"```python\n(.*?)```", re.DOTALL)
 LINK = re.compile(r"\]\(([^)#:]+)(?:#([^)]*))?\)")
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+# pages whose commands take long
+LONG = {"batch", "cams", "class", "constraints", "design", "linkages", "machine", "note", "page", "sheets", "vibration"}
 
 
 def name_of(document: Path) -> str:
@@ -36,7 +38,10 @@ def sessions(document: Path) -> list[list[tuple[str, str]]]:
 
 
 @pytest.mark.usefixtures("known_schema")
-@pytest.mark.parametrize("document", DOCUMENTS, ids=name_of)
+@pytest.mark.parametrize(
+    "document",
+    [pytest.param(d, marks=pytest.mark.slow if d.stem in LONG else (), id=name_of(d)) for d in DOCUMENTS],
+)
 def test_console_blocks(
     document: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

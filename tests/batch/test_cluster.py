@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 from typing import NamedTuple
 
@@ -19,10 +20,7 @@ from tmmcalc.batch.cluster import solve_on
 from tmmcalc.batch.task import Row, Task
 from tmmcalc.core.errors import UsageError
 
-pytest.importorskip("distributed")
-from distributed.client import Client, ClosedClientError
-
-pytestmark = pytest.mark.skipif(os.name != "posix", reason="kills processes")
+pytestmark = pytest.mark.skipif(os.name != "posix" or not find_spec("distributed"), reason="kills processes of Dask")
 ROOT = Path(__file__).parents[2]
 
 
@@ -110,6 +108,8 @@ def test_a_scheduler_that_goes(cluster: Cluster, tmp_path: Path) -> None:
 def test_a_connection_that_is_given_up_while_work_goes_out(
     cluster: Cluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    from distributed.client import Client, ClosedClientError
+
     def given_up(client: Client, **_: object) -> None:
         client.close()
         raise ClosedClientError("Client is closed. Can't send cancel-keys message.")

@@ -35,6 +35,7 @@ def rows(tables: Path) -> tuple[list[str], list[list[str]]]:
     return header, found
 
 
+@pytest.mark.slow
 def test_every_cell_is_that_of_the_csv(tables: Path) -> None:
     header, expected = rows(tables)
     table = parquet.read_table(tables / "t.parquet")

@@ -43,6 +43,7 @@ def test_a_frame_has_the_keys_with_their_values(frame: Task) -> None:
         frame_of(SHAPER, (), ["project.title"], NAMES)
 
 
+@pytest.mark.slow
 def test_places_are_points(frame: Task) -> None:
     asked = places(40)
     rows = solve_places(frame, asked)
@@ -61,6 +62,7 @@ def test_a_place_without_a_solution_says_why(frame: Task) -> None:
     assert good.ok
 
 
+@pytest.mark.slow
 def test_places_in_other_processes_are_the_same_to_the_last_digit(frame: Task) -> None:
     pytest.importorskip("joblib")
     asked = places(24)
@@ -72,6 +74,7 @@ def test_places_in_other_processes_are_the_same_to_the_last_digit(frame: Task) -
     assert not said
 
 
+@pytest.mark.slow
 def test_coordinates_on_both_sides_of_nothing_are_solved_together(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pins off by a clearance, whose nominal coordinates are 0: their specs are read once a combination of signs."""
     from tmmcalc.batch.stacked_inputs import Inputs
@@ -113,6 +116,7 @@ def test_places_about_one_point_alone_are_solved_as_they_are() -> None:
     assert list(row.values) == pytest.approx(list(alone.values), rel=1e-10)
 
 
+@pytest.mark.slow
 def test_transmission_angles_of_many_are_those_of_each(frame: Task) -> None:
     """Found at once, between positions too; a place that is not like the others is left out where it is not asked."""
     angles = tuple(

@@ -37,12 +37,12 @@ LINE = CONFIGS / "best-straight-line.toml"
 
 def differences(task: Task, which: range) -> tuple[int, float]:
     """How many of the points were solved together, and the largest relative difference from those solved alone."""
-    return compared(task, which, points.solve_points(task, which))
+    together, alone = stacked.solve_points(task, which), points.solve_points(task, which)
+    return len(solved_together(task).keys() & {*which}), difference_of(together, alone)
 
 
-def compared(task: Task, which: range, alone: list[Row]) -> tuple[int, float]:
-    """The same beside the rows of these points solved alone."""
-    together = stacked.solve_points(task, which)
+def difference_of(together: list[Row], alone: list[Row]) -> float:
+    """The largest relative difference of rows from those solved alone; all else of them is the same."""
     for one, other in zip(together, alone, strict=True):
         assert (one.point, one.status, one.reason, one.names) == (other.point, other.status, other.reason, other.names)
     largest: dict[tuple[str, str], float] = {}
@@ -54,7 +54,7 @@ def compared(task: Task, which: range, alone: list[Row]) -> tuple[int, float]:
         for one, other in zip(together, alone, strict=True)
         for name, a, b in zip(one.names, one.values, other.values, strict=True)
     ]
-    return len(solved_together(task).keys() & {*which}), max(found, default=0.0)
+    return max(found, default=0.0)
 
 
 def kind(name: str) -> tuple[str, str]:
@@ -100,6 +100,7 @@ def test_random_variants_of_all_kinds_of_keys(tmp_path: Path) -> None:
     assert difference < SAME
 
 
+@pytest.mark.slow
 def test_directions_of_guides_and_the_motor_s_characteristic(tmp_path: Path) -> None:
     keys = {
         "mechanism.joints[name=A3].guide.angle[deg]": (-1, 1),
@@ -126,7 +127,7 @@ def test_variants_that_fail_end_with_the_same_reason(tmp_path: Path) -> None:
     }
     task = task_of(SHAPER, [FEW], table(tmp_path / "points.csv", 40, keys), (), MOTION)
     rows = points.solve_points(task, range(40))
-    together, difference = compared(task, range(40), rows)
+    difference, together = difference_of(stacked.solve_points(task, range(40)), rows), len(solved_together(task))
     assert {row.status for row in rows} >= {"ok", "failed 2", "failed 3"}
     assert 0 < together <= sum(row.ok for row in rows)
     assert difference < SAME
@@ -223,6 +224,7 @@ def test_the_sweep_says_how_its_variants_were_solved() -> None:
     assert stacked.way(strict) == "variants solved one by one: a tolerance is asked for"
 
 
+@pytest.mark.slow
 def test_a_row_of_a_table_is_solved_together() -> None:
     """Whose columns are made of the motion alone, not of what the textbook has beside it."""
     names = ("motion.omega@3", "forces.R_A@3", "motion.max(omega)")
@@ -293,9 +295,9 @@ def test_variants_near_to_a_limit_position(
     rows = points.solve_points(task, range(task.count))
     sure = np.abs(sines) > 1e-9
     assert [row.ok for row, each in zip(rows, sure, strict=True) if each] == (sines[sure] > 0).tolist()
-    _, difference = compared(task, range(task.count), rows)
-    assert difference < within
-    alone = np.array([bool(row.alone) for row in stacked.solve_points(task, range(task.count))])
+    together = stacked.solve_points(task, range(task.count))
+    assert difference_of(together, rows) < within
+    alone = np.array([bool(row.alone) for row in together])
     assert not alone[sines > 1.01 * least].any()
     made = stacked.prepared(task)
     assert not isinstance(made, str)

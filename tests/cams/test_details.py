@@ -84,6 +84,7 @@ def stem_task(**asked: Any) -> CamTask:
     return CamTask(program(0.03, 70, 85, ("cosine", "sine")), Asked("translating", **asked), limits)
 
 
+@pytest.mark.slow
 def test_sizes_of_a_stem_by_brute_force() -> None:
     """The pressure angle by its own formula on many angles, the curvature by splines through the pitch curve."""
     task = stem_task(offset=0.004, roller=0.02)
@@ -123,6 +124,7 @@ def _sharpest(task: CamTask, start: float, e: float) -> float:
     return float(least)
 
 
+@pytest.mark.slow
 def test_sizes_of_a_rocker_by_brute_force() -> None:
     """The axis moved by hand: the angle between the rocker's normal and that of the pitch curve, by differences."""
     limits = AngleLimits(radians(36), radians(50), convex=0.003, shaft=0.03)

@@ -105,6 +105,7 @@ def test_the_wheel_turns_as_the_law_asks_by_contact_alone() -> None:
         assert high - low < 1e-3
 
 
+@pytest.mark.slow
 def test_profiles_are_envelopes_of_the_rollers() -> None:
     """Discs carried round in the axes of either cam leave its profile: the nearest any of them comes to its points."""
     found = solve_indexing(GIVEN)

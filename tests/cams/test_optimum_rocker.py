@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 from scipy.optimize import differential_evolution
+from sparing import sparing
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.optimum.results import CamOptimum
@@ -228,6 +229,7 @@ def test_the_least_meets_its_constraints_and_scales(found: CamOptimum) -> None:
         assert [margin[number] for number in corner.numbers] == pytest.approx([0, 0], abs=2e-5)
 
 
+@pytest.mark.slow
 def test_looser_limits_buy_what_solving_again_gives(found: CamOptimum) -> None:
     for each in found.relaxations:
         if not each.preferred:
@@ -240,13 +242,15 @@ def test_looser_limits_buy_what_solving_again_gives(found: CamOptimum) -> None:
             assert each.gain > 0
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("asked", "wanted"),
     [
         ({"rocker_lengths": (0.08, 0.08)}, "length"),
         ({"rocker_lengths": (0.045, 0.06)}, "length"),
         ({"centre_distances": (0.06, 0.09)}, "height"),
     ],
+    every=3,
+    first=1,
 )
 def test_ranges_hold_the_sizes(asked: dict[str, tuple[float, float]], wanted: str) -> None:
     found = solve_optimum(task_of(**asked), ROCKER)
@@ -258,6 +262,7 @@ def test_ranges_hold_the_sizes(asked: dict[str, tuple[float, float]], wanted: st
     assert found.least.height <= found.chosen.height + 1e-9
 
 
+@pytest.mark.slow
 def test_refusals_say_why() -> None:
     with pytest.raises(NoSolutionError, match="ranges of"):
         solve_optimum(task_of(centre_distances=(0.01, 0.03)), ROCKER)
@@ -275,13 +280,14 @@ def test_refusals_say_why() -> None:
         solve_optimum(replace(task, requirements=worn), ROCKER)
 
 
+@pytest.mark.slow
 def test_a_finer_step_comes_nearer_to_the_least(found: CamOptimum) -> None:
     heights = [solve_optimum(task_of(step=step), ROCKER).chosen.height for step in (2e-3, 5e-4)]
     assert found.least.height <= heights[1] <= found.chosen.height <= heights[0]
     assert heights[1] - found.least.height < 1e-3
 
 
-@pytest.mark.parametrize("law", ["cosine", "const", "modified_trapezoid"])
+@sparing("law", ["cosine", "const", "modified_trapezoid"], every=3, first=1)
 def test_other_laws_and_the_other_sense(law: str) -> None:
     """Laws with jumps, and a rocker that turns against the cam: every constraint is kept by the formulas coded anew."""
     task = task_of(f'cam.law="{law}"', 'cam.rocker_turn="against"')

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tmmcalc.cams.views import indexing
 from tmmcalc.cams.views.flatregion import region_under_face
@@ -207,7 +208,7 @@ CONFIGS = sorted(
 )
 
 
-@pytest.mark.parametrize("path", CONFIGS, ids=lambda path: path.stem)
+@sparing("path", CONFIGS, ids=lambda path: path.stem, every=6)
 def test_every_spec_with_a_cam_moves(path: Path) -> None:
     view = Scene(path).view
     assert view.whole

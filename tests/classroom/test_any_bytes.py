@@ -8,6 +8,7 @@ import zipfile
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
@@ -35,18 +36,21 @@ def read(name: str, content: bytes) -> None:
         assert all("\n" not in each.message and UNFORESEEN not in each.message for each in pile.refused)
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(st.binary(max_size=300), st.sampled_from(["1.csv", "1.toml", "1.xlsx"]))
 def test_bytes(content: bytes, name: str) -> None:
     read(name, content)
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @given(CELLS, st.sampled_from(["utf-8", "utf-16", "utf-8-sig"]), st.sampled_from(["1.csv", "x.csv", "1.toml"]))
 def test_texts(text: str, encoding: str, name: str) -> None:
     read(name, text.encode(encoding))
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @example([["item", "value"], ["H"]], ";", "1.csv")
 @given(st.lists(WORDS, max_size=8), st.sampled_from(";\t,"), st.sampled_from(["1.csv", "x.csv"]))
@@ -72,6 +76,7 @@ def test_workbooks(text: str, part: str) -> None:
     read("1.xlsx", buffer.getvalue())
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None)
 @given(st.text(max_size=40))
 def test_numbers_and_units(text: str) -> None:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import pytest
 
+from classroom.leaking import given_in, leaks, words_of
+from classroom.school import School
 from tmmcalc.batch.executors import solve_here
 from tmmcalc.classroom.grading import graded
 from tmmcalc.classroom.items import items_of
@@ -14,22 +17,25 @@ from tmmcalc.classroom.keybook import write_keybook
 from tmmcalc.classroom.keymaking import make_keys
 from tmmcalc.classroom.making import make_class
 from tmmcalc.classroom.model import Keybook
+from tmmcalc.classroom.papers.sheets import write_sheets
 from tmmcalc.classroom.verdicts import Standing
 from tmmcalc.project import load_spec
+from tmmcalc.report.language import speaking
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 DEAR = ("course-project", "press")
 VARIANTS = 3
+STRANGE = re.compile(r"\b[a-z_]+(\.[a-z_]+|\[\d+\])+|\b(of|the|and|with)\b")
 READY = sorted(file.stem.partition("-")[2] for file in CONFIGS.glob("assignment-*.toml"))
 
 
-def school_of(name: str, folder: Path) -> Keybook:
-    """The keys of a class of an assignment, which stands in the folder."""
+def school_of(name: str, folder: Path) -> School:
+    """A class of an assignment with its keys, in the folder."""
     file = CONFIGS / f"assignment-{name}.toml"
-    made = make_class(file, folder, VARIANTS, 11, jobs=1)
-    book = make_keys(file, made.own.variants, items_of(load_spec(file)), solve_here)
+    made, items = make_class(file, folder, VARIANTS, 11, jobs=1), items_of(load_spec(file))
+    book = make_keys(file, made.own.variants, items, solve_here)
     write_keybook(book, folder / "keys")
-    return book
+    return School(folder, made.own, items, book)
 
 
 def hand_in(book: Keybook, at: int | None, place: Path) -> Path:
@@ -50,7 +56,8 @@ def hand_in(book: Keybook, at: int | None, place: Path) -> Path:
 )
 def test_a_class_is_drawn_keyed_and_marked(name: str, tmp_path: Path) -> None:
     """Right answers have all points; a mistake that makes several wrong is named by everybody's marks."""
-    book = school_of(name, tmp_path / "class")
+    school = school_of(name, tmp_path / "class")
+    book = school.book
     marks, *_ = graded(tmp_path / "class", hand_in(book, None, tmp_path / "right"), None)
     assert {*(each for marked in marks.marked for each in marked.standings)} == {Standing.right}
     assert [marked.total for marked in marks.marked] == pytest.approx([marks.most] * VARIANTS)
@@ -62,3 +69,12 @@ def test_a_class_is_drawn_keyed_and_marked(name: str, tmp_path: Path) -> None:
                 named.append(at in marked.explanations[0].mistakes if marked.explanations else False)
     assert sum(named) >= 0.95 * len(named)
     assert len(named) >= 5 * VARIANTS
+    with speaking("uk"):
+        write_sheets(school.folder, school.made, school.items, "html", jobs=1)
+    given = given_in(school)
+    sheets = sorted((school.folder / "sheets").iterdir())
+    assert len(sheets) == VARIANTS
+    for sheet in sheets:
+        text = words_of(sheet)
+        assert leaks(text, school, given) == set()
+        assert not STRANGE.search(text), "a key or a word of the program in place of what is given"

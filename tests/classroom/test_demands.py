@@ -73,6 +73,7 @@ def test_a_result_is_within_the_root_of_the_spread() -> None:
     assert math.isinf(Spread.of("a", 0.0, 9.0, 0.0).high)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2])
 def test_other_last_digits_choose_the_same(monkeypatch: pytest.MonkeyPatch, seed: int) -> None:
     """As on another machine: every result of every candidate is off by up to 1e-12 of itself."""

@@ -15,6 +15,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from numpy.random import Generator, default_rng
+from sparing import sparing
 
 from classroom.books import item
 from tmmcalc.classroom.answers.handed import Answer, HandIn
@@ -80,11 +81,13 @@ def share_named(seed: int, noise: float, least: int = 1) -> float:
     return float(np.mean(named))
 
 
+@pytest.mark.slow
 def test_a_planted_mistake_is_named_first() -> None:
     assert share_named(1, noise=0.0) >= 0.95
     assert share_named(2, noise=0.0, least=2) >= 0.98
 
 
+@pytest.mark.slow
 def test_by_plans_it_is_named_where_enough_is_wrong() -> None:
     assert share_named(3, noise=0.02) >= 0.65
     assert share_named(4, noise=0.02, least=4) >= 0.90
@@ -101,7 +104,7 @@ NOTHING: dict[str, Random] = {
 }
 
 
-@pytest.mark.parametrize("kind", NOTHING)
+@sparing("kind", NOTHING, every=len(NOTHING))
 @pytest.mark.parametrize("wrong", [1, 3, 12])
 def test_numbers_that_come_of_nothing_are_not_explained(kind: str, wrong: int) -> None:
     """In less than 1 % of tables, where one answer is random, three, or all of them."""
@@ -115,6 +118,7 @@ def test_numbers_that_come_of_nothing_are_not_explained(kind: str, wrong: int) -
     assert explained <= 5  # a share of 1 % gives more in one run of sixty
 
 
+@pytest.mark.slow
 def test_one_wrong_answer_that_comes_of_nothing_is_seldom_explained() -> None:
     """In less than 1 % of tables where it is easiest: few mistakes, of few answers each, all within 40 %.
 
@@ -138,6 +142,7 @@ def test_one_wrong_answer_that_comes_of_nothing_is_seldom_explained() -> None:
     assert explained / tables <= 0.006
 
 
+@pytest.mark.slow
 def test_the_mistake_and_misreadings_on_top_of_it() -> None:
     """A mistake of the whole solution, and one answer in other units besides."""
     rng = default_rng(7)
@@ -157,6 +162,7 @@ def test_the_mistake_and_misreadings_on_top_of_it() -> None:
     assert np.mean(both) >= 0.9
 
 
+@pytest.mark.slow
 def test_two_mistakes_in_different_items() -> None:
     rng = default_rng(8)
     both = []
@@ -240,6 +246,7 @@ def test_a_sign_alone_is_told() -> None:
     assert np.mean(told) >= 0.95
 
 
+@pytest.mark.slow
 def test_a_coarse_number_proves_nothing() -> None:
     """Of numbers of one figure one in five or so meets whatever is predicted near it."""
     rng = default_rng(12)
@@ -251,6 +258,7 @@ def test_a_coarse_number_proves_nothing() -> None:
     assert explained <= 5
 
 
+@pytest.mark.slow
 def test_what_comes_of_nothing_beside_a_mistake_stays_open() -> None:
     rng = default_rng(13)
     more = []

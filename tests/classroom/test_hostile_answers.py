@@ -164,6 +164,7 @@ def test_unseen_files_are_no_answers(tmp_path: Path) -> None:
     assert (pile.hand_ins, pile.refused) == ((), ())
 
 
+@pytest.mark.slow
 def test_strange_names_cost_one_line(tmp_path: Path) -> None:
     rows = "".join(f"nobody {'abcdefgh'[k % 8]}{k};1;2\n" for k in range(100, 10_000))
     (tmp_path / "all.csv").write_text("student;H;K\nКоваль;1;2\n" + rows, encoding="utf-8")
@@ -174,6 +175,7 @@ def test_strange_names_cost_one_line(tmp_path: Path) -> None:
     assert len(refused.message) < 300
 
 
+@pytest.mark.slow
 def test_a_bomb_needs_no_memory(tmp_path: Path) -> None:
     for name in ("bomb.xlsx", "tags.xlsx", "deep.xlsx", "laughs.xlsx"):
         (tmp_path / name).write_bytes(FILES[name][0])

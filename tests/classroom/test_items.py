@@ -113,6 +113,7 @@ def _stroke(assignments: tuple[str, ...]) -> float:
     return float(assignments[0].partition('="')[2].removesuffix(' mm"')) / 1000
 
 
+@pytest.mark.slow
 def test_a_linkage_of_class_three(tmp_path: Path) -> None:
     """Many of it cannot be solved together, and it is judged all the same, near to its dead points too."""
     text = (CONFIGS / "class-three.toml").read_text(encoding="utf-8")

@@ -10,7 +10,7 @@ import pytest
 from mistakes import CONFIGS, item, items, key
 
 from tmmcalc.classroom.bench import Bench
-from tmmcalc.classroom.keying import clashes, classes_of, key_of, mistakes_of, told_of
+from tmmcalc.classroom.keying import Desk, clashes, classes_of, key_of, mistakes_of, told_of
 from tmmcalc.classroom.model import Key
 from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.naming.language import parse
@@ -122,6 +122,7 @@ def test_a_stage_that_breaks_ends_only_what_needs_it() -> None:
         assert [*bench.scene(amiss={"power": wrong}).results] == ["structure", "kinematics", "reduction"]
 
 
+@pytest.mark.slow
 def test_the_key_of_a_course_project() -> None:
     spec = load_spec(CONFIGS / "course-project.toml")
     told = mistakes_of(spec)
@@ -132,3 +133,9 @@ def test_the_key_of_a_course_project() -> None:
     assert len(telling) > 45
     assert {"linkage.friction_reversed", "machine.links_left_out", "classroom.position_after"} <= telling
     assert len(classes_of(found, TEN, told)) > 40
+    desk, wanted = Desk(spec, TEN), {0, 3, 7}
+    assert desk.values == found.values
+    for each, values in [*zip(told, found.mistaken, strict=True)][::5]:
+        some = tuple(value if at in wanted else math.nan for at, value in enumerate(values))
+        assert desk.mistaken(each.name, wanted) == pytest.approx(some, rel=1e-12, nan_ok=True)
+        assert all(math.isnan(value) for value in desk.mistaken(each.name, ()))

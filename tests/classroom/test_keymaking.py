@@ -61,6 +61,7 @@ def test_the_book_has_the_keys_of_the_variants() -> None:
     assert "linkage.weights_left_out" not in names  # it changes nothing here
 
 
+@pytest.mark.slow
 def test_in_processes_it_is_the_same() -> None:
     pytest.importorskip("joblib")
     assert repr(make_keys(SPEC, CLASS, ASKED, local(2, print))) == repr(make_keys(SPEC, CLASS, ASKED, solve_here))
@@ -85,6 +86,7 @@ def test_what_was_kept_of_another_variant_is_not_taken(tmp_path: Path) -> None:
     assert again.asked == [1, 3]
 
 
+@pytest.mark.slow
 def test_keys_that_are_known_are_not_made_again() -> None:
     known = keybook_of(toml_bytes(make_keys(SPEC, CLASS, ASKED, solve_here)))
     more = [*CLASS[:2], variant(3, 380, "Petrenko"), variant(4, 400)]

@@ -7,6 +7,7 @@ import itertools
 import math
 import re
 import shutil
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ import pytest
 
 from tmmcalc.batch.table import row_of
 from tmmcalc.classroom import choosing, judging
-from tmmcalc.classroom.choosing import Chooser
+from tmmcalc.classroom.choosing import Chooser, Sought
 from tmmcalc.classroom.clashing import clashes_of
 from tmmcalc.classroom.document import class_document
 from tmmcalc.classroom.draws import Candidate, candidate
@@ -131,6 +132,7 @@ def test_the_table_makes_the_variants_too(twelve: tuple[Path, Made]) -> None:
     assert one.linkage == load_spec(folder / "variants" / "07.toml").linkage
 
 
+@pytest.mark.slow
 def test_processes_change_nothing(twelve: tuple[Path, Made], tmp_path: Path) -> None:
     folder, _ = twelve
     other = make_class(SHAPER, tmp_path / "class", 12, 7, jobs=2)
@@ -141,6 +143,7 @@ def test_processes_change_nothing(twelve: tuple[Path, Made], tmp_path: Path) -> 
     assert other.refused == twelve[1].refused
 
 
+@pytest.mark.slow
 def test_what_many_are_judged_by_is_what_each_is_judged_by() -> None:
     """The linkage and forces of sixty at once refuse those that all stages of each refuse, by the same demand."""
     judge = Judge(SHAPER, 1)
@@ -154,6 +157,22 @@ def test_what_many_are_judged_by_is_what_each_is_judged_by() -> None:
     assert 5 <= sum(each is None for each in alone.values()) <= 55
 
 
+def test_presses_whose_ram_turns_twice_are_judged_together_though_most_turn_four_times() -> None:
+    """Those beyond the limit position of the knuckle have four dead centres, no stroke ratio, and are solved alone."""
+    judge = Judge(PRESS, 1)
+    every = [one for number in range(48) if not (one := candidate(judge.drawn, 7, number)).missing]
+    together = judge.at_once(every)
+    judged = {number: each for number, each in together.items() if each is None or "turn" not in each.demand}
+    assert len(judged) >= 5
+    some = [one for one in every if one.number in judged][:4]
+    values = [key for key in judge.asked if key.stage in ("kinematics", "forces")]
+    for row in judge.whole(some):
+        refusal, cheap = judge.verdict(row).refusal, judged[row.point]
+        assert cheap is None or (refusal is not None and refusal.demand == cheap.demand)
+        assert {each.key for each in values} <= {*row.names}
+
+
+@pytest.mark.slow
 def test_more_are_drawn_later_and_those_given_out_stay(twelve: tuple[Path, Made], tmp_path: Path) -> None:
     folder = tmp_path / "class"
     make_class(SHAPER, folder, 8, 7, jobs=1)
@@ -172,6 +191,7 @@ def test_more_are_drawn_later_and_those_given_out_stay(twelve: tuple[Path, Made]
     assert read_class(folder).variants == twelve[1].own.variants
 
 
+@pytest.mark.slow
 def test_nothing_is_drawn_where_there_are_enough(tmp_path: Path) -> None:
     folder = tmp_path / "class"
     make_class(SHAPER, folder, 3, 7, jobs=1)
@@ -180,6 +200,7 @@ def test_nothing_is_drawn_where_there_are_enough(tmp_path: Path) -> None:
     assert (made.fresh, made.files, contents(folder)) == ((), (), before)
 
 
+@pytest.mark.slow
 def test_a_lost_file_is_written_again(twelve: tuple[Path, Made], tmp_path: Path) -> None:
     folder = tmp_path / "class"
     make_class(SHAPER, folder, 3, 7, jobs=1)
@@ -193,6 +214,7 @@ class StopError(Exception):
     """What stops a run in the midst."""
 
 
+@pytest.mark.slow
 def test_a_run_that_was_stopped_goes_on(
     twelve: tuple[Path, Made], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -222,6 +244,7 @@ def test_a_run_that_was_stopped_goes_on(
     }
 
 
+@pytest.mark.slow
 def test_a_changed_assignment_is_refused_unless_fresh(tmp_path: Path) -> None:
     file, folder = written(tmp_path), tmp_path / "class"
     make_class(file, folder, 3, 7, jobs=1)
@@ -244,6 +267,7 @@ def test_a_changed_assignment_is_refused_unless_fresh(tmp_path: Path) -> None:
     assert sorted(path.name for path in (folder / "variants").iterdir()) == ["01.toml", "02.toml"]
 
 
+@pytest.mark.slow
 def test_who_comes_later_gets_a_new_variant_and_who_leaves_keeps_it(tmp_path: Path) -> None:
     roster = tmp_path / "roster.txt"
     roster.write_text("Шевченко Тарас\n\nIvanenko\n  Шевченко   Тарас \n", encoding="utf-8")
@@ -269,6 +293,7 @@ def test_who_comes_later_gets_a_new_variant_and_who_leaves_keeps_it(tmp_path: Pa
     assert [each.student for each in read_class(folder).variants[5:]] == ["", ""]
 
 
+@pytest.mark.slow
 def test_a_roster_names_the_variants_that_have_no_name_first(tmp_path: Path) -> None:
     file, folder = written(tmp_path), tmp_path / "class"
     before = make_class(file, folder, 2, 7, jobs=1).own.variants
@@ -312,6 +337,7 @@ def test_a_state_that_was_edited_is_refused_and_nothing_is_written(
     assert contents(folder) == before
 
 
+@pytest.mark.slow
 def test_what_is_given_and_numbers_in_comments_are_told(tmp_path: Path) -> None:
     more = '[[class.asked]]\nresult = "kinematics.size(omega_1)"\nunit = "rpm"\nname = "n"\n'
     comment = ("[project]", "# The crank is 200 mm long; 1200 mm, 620.5 mm and 620 mmm are other numbers.\n[project]")
@@ -391,6 +417,7 @@ IMPOSSIBLE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", IMPOSSIBLE)
 def test_too_few_are_told_by_the_demand_that_removes_most(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
@@ -405,6 +432,7 @@ def test_too_few_are_told_by_the_demand_that_removes_most(
     assert not (tmp_path / "class").exists()
 
 
+@pytest.mark.slow
 def test_a_linkage_that_never_turns_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A connecting rod drawn shorter than the way that the end of the slotted link is off the line of the ram."""
     monkeypatch.setattr(choosing, "MOST", 300)
@@ -415,6 +443,7 @@ def test_a_linkage_that_never_turns_is_told(tmp_path: Path, monkeypatch: pytest.
         make_class(file, tmp_path / "class", 5, 7, jobs=1)
 
 
+@pytest.mark.slow
 def test_a_small_assignment_is_drawn_out(tmp_path: Path) -> None:
     """Of three values there are no four variants: it ends when all are tried."""
     text = SHAPER.read_text(encoding="utf-8")
@@ -430,10 +459,14 @@ def test_a_small_assignment_is_drawn_out(tmp_path: Path) -> None:
         make_class(file, tmp_path / "class", 4, jobs=1)
 
 
+@pytest.mark.slow
 def test_a_mistake_that_gives_the_right_answer_removes_a_variant_or_is_told() -> None:
     """One clashes for one crank of nine, one always: the first is avoided, the second is told."""
 
-    def pairs(candidates: Sequence[Candidate]) -> dict[int, list[tuple[str, str]]]:
+    asked: list[Sought | None] = []
+
+    def pairs(candidates: Sequence[Candidate], sought: Sought | None) -> dict[int, list[tuple[str, str]]]:
+        asked.append(sought)
         return {
             each.number: [("K", "always"), *([("H", "now and then")] if each.values[0] == 220 else [])]
             for each in candidates
@@ -445,6 +478,10 @@ def test_a_mistake_that_gives_the_right_answer_removes_a_variant_or_is_told() ->
     cranks = {int(each.assignments[0].partition('="')[2].removesuffix(' mm"')) for each in choice.chosen}
     assert 220 not in cranks
     assert choice.refused["H: no mistake that gives the right answer"] > 0
+    probed = asked.index(next(sought for sought in asked if sought is not None))
+    assert asked[:probed] == [None] * choosing.PROBED  # one good candidate at a time, of which all are asked
+    assert {sought.unavoided for sought in asked[probed:] if sought} == {choice.unavoided}
+    assert {tuple(sought.counts) for sought in asked[probed:] if sought} <= {(), ("now and then",)}
 
 
 @pytest.mark.slow
@@ -461,6 +498,14 @@ def test_known_mistakes_are_found_side_by_side(tmp_path: Path, monkeypatch: pyte
         found = {(one.items[item].name, mistakes[at].name) for at, item in clashes(key, one.items)}
         assert found <= {*one.own.unavoided}
     assert read_class(tmp_path / "1") == one.own
+    judge, own = Judge(SHAPER, 1), one.own.variants[0]
+    first = candidate(judge.drawn, 7, own.candidate)
+    every = clashes_of(judge)([first], None)[own.candidate]
+    assert {*every} <= {*one.own.unavoided}
+    some = clashes_of(judge)([first], Sought((), Counter(mistake for _, mistake in every)))[own.candidate]
+    assert some
+    assert {*some} == {pair for pair in every if pair[1] == some[0][1]}  # all items of the first mistake
+    assert clashes_of(judge)([first], Sought(tuple(every), {}))[own.candidate] == []
     later = make_class(SHAPER, tmp_path / "1", 5, jobs=1, clashes=clashes_of)
     assert later.own.unavoided == one.own.unavoided
 

@@ -70,6 +70,7 @@ def test_what_is_drawn_is_found_and_nothing_else(school: School) -> None:
     assert not {"g", "m_3", "l_{CD}", "n"} & names
 
 
+@pytest.mark.slow
 def test_the_task_of_the_press_tells_all_that_is_drawn() -> None:
     """Of what is solved too: phases of the cam, of which the last follows from the others; the rest is common."""
     own, further = traced(SHAPER.with_name("assignment-course-project.toml"))
@@ -100,6 +101,7 @@ def test_a_docx_is_opened(folder: Path) -> None:
     assert {"H", "K", "M_b"} <= cells
 
 
+@pytest.mark.slow
 def test_empty_tables_are_read_and_those_that_are_filled_stay(folder: Path, school: School) -> None:
     pile = read_answers(folder / "answers", school.items, school.book.keys)
     assert not pile.refused
@@ -116,6 +118,7 @@ def test_empty_tables_are_read_and_those_that_are_filled_stay(folder: Path, scho
     assert all(answer.text for each in pile.hand_ins for answer in each.answers)
 
 
+@pytest.mark.slow
 def test_sheets_of_other_students_go(folder: Path, school: School) -> None:
     left, kept = folder / "sheets" / "09-Ada.pdf", folder / "sheets" / "plan.txt"
     left.touch()
@@ -131,6 +134,7 @@ def test_a_form_that_there_is_not_and_a_missing_package_are_told() -> None:
     assert fault.value.where == "--sheets"
 
 
+@pytest.mark.slow
 def test_notes_are_written_beside_the_keys(folder: Path, school: School) -> None:
     write_notes(folder, school.made, folder / "keys", "txt", jobs=1)
     for variant in school.made.variants:

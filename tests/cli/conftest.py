@@ -70,3 +70,22 @@ def process(folder: Path) -> Cli:
         return Answer(done.returncode, done.stdout, done.stderr)
 
     return run
+
+
+Once = Callable[[Path, Callable[[], None]], None]
+
+
+@pytest.fixture(scope="module")
+def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
+    """A folder as something makes it: made for the first test of a module that wants it, copied for the others."""
+    kept = tmp_path_factory.mktemp("kept")
+
+    def give(folder: Path, make: Callable[[], None]) -> None:
+        place = kept / "-".join(folder.parts)
+        if place.exists():
+            shutil.copytree(place, folder)
+        else:
+            make()
+            shutil.copytree(folder, place)
+
+    return give

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from cli.conftest import Cli, environment
+from cli.conftest import Cli, Once, environment
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 
@@ -23,6 +23,7 @@ def shaper(folder: Path) -> Path:
     return Path(shutil.copy(CONFIGS / "assignment-shaper.toml", folder / "shaper.toml"))
 
 
+@pytest.mark.slow
 def test_a_class_is_made_and_told(cli: Cli, shaper: Path) -> None:
     code, out, err = cli("class", "make", "shaper.toml", "-n", "5", "--seed", "7", "-o", "own", "-f", "json")
     assert code == 0
@@ -46,15 +47,29 @@ def test_a_class_is_made_and_told(cli: Cli, shaper: Path) -> None:
     assert cli("check", "own/variants/03.toml").code == 0
 
 
-def test_a_table_for_people(cli: Cli, shaper: Path) -> None:
-    _, out, _ = cli("class", "make", "shaper.toml", "-n", "3", "-q")
-    assert "least distance" in out
-    assert "asked    unit" in out
-    assert "candidates  refused by" in out
+@pytest.fixture(scope="module")
+def said() -> list[str]:
+    """What is printed as a class of three is made."""
+    return []
 
 
-def test_later_more(cli: Cli, shaper: Path) -> None:
-    cli("class", "make", "shaper.toml", "-n", "3", "-q")
+@pytest.fixture
+def three(cli: Cli, shaper: Path, once: Once, said: list[str]) -> str:
+    """A class of three, and what was printed as it was made."""
+    once(Path("class"), lambda: said.append(cli("class", "make", "shaper.toml", "-n", "3", "-q").out))
+    return said[0]
+
+
+@pytest.mark.slow
+def test_a_table_for_people(three: str) -> None:
+    assert "least distance" in three
+    assert "asked    unit" in three
+    assert "candidates  refused by" in three
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("three")
+def test_later_more(cli: Cli) -> None:
     assert "4, 1 of them now" in cli("class", "make", "shaper.toml", "-n", "4", "-q").out
 
 
@@ -96,6 +111,7 @@ def test_the_group_tells_its_commands(cli: Cli) -> None:
     assert "\n  make " in out
 
 
+@pytest.mark.slow
 def test_a_killed_command_goes_on_where_it_was(shaper: Path, folder: Path) -> None:
     """Killed as soon as its journal has variants, then run again: the same class as in one go."""
     words = [

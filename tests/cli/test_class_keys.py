@@ -11,19 +11,35 @@ import pytest
 
 from tmmcalc.classroom.keybook import read_keybook, significant
 
-from .conftest import CONFIGS, Cli
+from .conftest import CONFIGS, Cli, Once
 
 KEYS = Path("class/keys/keys.toml")
 
 
 @pytest.fixture
-def made(cli: Cli) -> Cli:
+def made(cli: Cli, once: Once) -> Cli:
     """A class of two in the folder ``class``."""
+
+    def make() -> None:
+        assert cli("class", "make", "assignment.toml", "-n", "2", "--seed", "7", "-o", "class", "-q")[0] == 0
+
     shutil.copy(CONFIGS / "assignment-shaper.toml", "assignment.toml")
-    assert cli("class", "make", "assignment.toml", "-n", "2", "--seed", "7", "-o", "class", "-q")[0] == 0
+    once(Path("class"), make)
     return cli
 
 
+@pytest.fixture
+def keyed(made: Cli, once: Once) -> Cli:
+    """The same with its keys."""
+
+    def make() -> None:
+        assert made("class", "keys", "class", "-j", "1", "-q")[0] == 0
+
+    once(Path("class/keys"), make)
+    return made
+
+
+@pytest.mark.slow
 def test_files_and_what_is_printed(made: Cli) -> None:
     code, out, err = made("class", "keys", "class", "-j", "1")
     assert (code, err) == (0, "wrote class/keys/keys.toml\nwrote class/keys/keys.csv\n")
@@ -39,6 +55,7 @@ def test_files_and_what_is_printed(made: Cli) -> None:
     assert {path.name for path in Path("class/keys").iterdir()} == {"keys.toml", "keys.csv"}
 
 
+@pytest.mark.slow
 def test_all_variants_for_programs_and_one_that_is_asked_for(made: Cli) -> None:
     code, out, _ = made("class", "keys", "class", "-j", "1", "--format", "json")
     whole = json.loads(out)
@@ -71,6 +88,7 @@ def test_printed_keys_lose_no_column(cli: Cli, folder: Path) -> None:
     assert "more columns: keys.toml and --format json have all" in out
 
 
+@pytest.mark.slow
 def test_an_assignment_that_has_lost_its_class(made: Cli) -> None:
     file = Path("assignment.toml")
     file.write_text(file.read_text(encoding="utf-8").partition("\n[class]")[0], encoding="utf-8")
@@ -81,38 +99,39 @@ def test_an_assignment_that_has_lost_its_class(made: Cli) -> None:
         assert "add [class] with [[class.asked]]" in err
 
 
-def test_keys_are_not_made_twice(made: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
-    made("class", "keys", "class", "-j", "1", "-q")
+@pytest.mark.slow
+def test_keys_are_not_made_twice(keyed: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
     first, stamp = KEYS.read_bytes(), KEYS.stat().st_mtime_ns
     with monkeypatch.context() as patched:
         patched.setattr("tmmcalc.classroom.keymaking.key_of", None)
-        assert made("class", "keys", "class", "-j", "1", "-q")[0] == 0
+        assert keyed("class", "keys", "class", "-j", "1", "-q")[0] == 0
     assert (KEYS.read_bytes(), KEYS.stat().st_mtime_ns) == (first, stamp)
-    assert made("class", "keys", "class", "-j", "1", "-q", "--fresh")[0] == 0
+    assert keyed("class", "keys", "class", "-j", "1", "-q", "--fresh")[0] == 0
     assert KEYS.read_bytes() == first
 
 
-def test_more_variants_leave_the_keys_of_the_others(made: Cli) -> None:
-    made("class", "keys", "class", "-j", "1", "-q")
+@pytest.mark.slow
+def test_more_variants_leave_the_keys_of_the_others(keyed: Cli) -> None:
     before = read_keybook(Path("class/keys"))
-    made("class", "make", "assignment.toml", "-n", "3", "-o", "class", "-q")
-    assert made("class", "keys", "class", "-j", "1", "-q")[0] == 0
+    keyed("class", "make", "assignment.toml", "-n", "3", "-o", "class", "-q")
+    assert keyed("class", "keys", "class", "-j", "1", "-q")[0] == 0
     after = read_keybook(Path("class/keys"))
     assert [key.values for key in after.keys[:2]] == [key.values for key in before.keys]
     assert len(after.keys) == 3
 
 
-def test_damaged_keys_are_one_message(made: Cli) -> None:
-    made("class", "keys", "class", "-j", "1", "-q")
+@pytest.mark.slow
+def test_damaged_keys_are_one_message(keyed: Cli) -> None:
     KEYS.write_bytes(KEYS.read_bytes().replace(b"values", b"valves", 1))
-    code, out, err = made("class", "keys", "class", "-j", "1")
+    code, out, err = keyed("class", "keys", "class", "-j", "1")
     assert (code, out) == (2, "")
     assert "class/keys/keys.toml is damaged or was edited" in err
     assert "--fresh" in err
-    assert made("class", "keys", "class", "-j", "1", "-q", "--fresh")[0] == 0
+    assert keyed("class", "keys", "class", "-j", "1", "-q", "--fresh")[0] == 0
     read_keybook(Path("class/keys"))
 
 
+@pytest.mark.slow
 def test_another_assignment_is_refused_other_tolerances_are_taken(made: Cli) -> None:
     text = Path("assignment.toml").read_text()
     Path("assignment.toml").write_text(text.replace('tolerance = "0.5 %"', 'tolerance = "3 %"', 1))
@@ -124,6 +143,7 @@ def test_another_assignment_is_refused_other_tolerances_are_taken(made: Cli) -> 
     assert "the assignment is not that of the 2 variants in class" in err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "said"),
     [

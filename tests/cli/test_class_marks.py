@@ -203,6 +203,7 @@ def test_hints_tell_of_strange_names_and_of_one_student(cli: Cli, spec: Path, fo
     assert "tells of 2 students: 'Коваль', 'Бондар'" in done.err
 
 
+@pytest.mark.slow
 def test_hints_tell_no_number(cli: Cli, spec: Path, folder: Path) -> None:
     scene = load_spec(spec)
     values = key_of(1, "", scene, items_of(scene), ()).values

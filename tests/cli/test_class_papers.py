@@ -12,21 +12,36 @@ from xml.etree import ElementTree
 import openpyxl
 import pytest
 
-from .conftest import CONFIGS, Cli
+from .conftest import CONFIGS, Cli, Once
 
 ROSTER = "km-01@example.org\nkm-02@example.org\n=1+1@example.org\n"
 
 
 @pytest.fixture
-def made(cli: Cli) -> Cli:
+def made(cli: Cli, once: Once) -> Cli:
     """A class of three by a roster of addresses, with sheets as text."""
+
+    def make() -> None:
+        told = cli("class", "make", "assignment.toml", "--skip-mistakes", "--sheets", "txt", "-j", "1")
+        assert told.code == 0
+        assert told.err.splitlines()[-2:] == ["wrote class/sheets", "wrote class/answers"]
+
     text = (CONFIGS / "assignment-shaper.toml").read_text(encoding="utf-8")
     Path("assignment.toml").write_text(text.replace("[class]\n", '[class]\nroster = "roster.txt"\n', 1))
     Path("roster.txt").write_text(ROSTER)
-    told = cli("class", "make", "assignment.toml", "--skip-mistakes", "--sheets", "txt", "-j", "1")
-    assert told.code == 0
-    assert told.err.splitlines()[-2:] == ["wrote class/sheets", "wrote class/answers"]
+    once(Path("class"), make)
     return cli
+
+
+@pytest.fixture
+def keyed(made: Cli, once: Once) -> Cli:
+    """The same with its keys."""
+
+    def make() -> None:
+        assert made("class", "keys", "class", "-q", "-j", "1").code == 0
+
+    once(Path("class/keys"), make)
+    return made
 
 
 def stems(folder: str, suffix: str) -> list[str]:
@@ -52,6 +67,7 @@ def test_sheets_and_tables_stand_in_their_folders(made: Cli) -> None:
     assert not Path("class/keys").exists()
 
 
+@pytest.mark.slow
 def test_no_sheets_and_a_form_that_there_is_not(cli: Cli) -> None:
     shutil.copy(CONFIGS / "assignment-shaper.toml", "assignment.toml")
     told = cli("class", "make", "assignment.toml", "-n", "2", "--sheets", "odt", "--skip-mistakes")
@@ -75,6 +91,7 @@ def test_a_pdf_without_typst_is_one_message(cli: Cli, monkeypatch: pytest.Monkey
     assert not Path("class").exists()
 
 
+@pytest.mark.slow
 def test_keys_with_notes_a_page_and_questions(made: Cli) -> None:
     words = ("--notes", "txt", "--page", "html", "--moodle", "m.xml", "--moodle-dataset", "d.xml", "-j", "1")
     told = made("class", "keys", "class", *words)
@@ -103,11 +120,11 @@ def test_faults_are_told_before_keys_are_made(made: Cli, words: tuple[str, ...],
     assert not Path("class/keys").exists()
 
 
-def test_results_and_grades(made: Cli) -> None:
-    assert made("class", "keys", "class", "-q", "-j", "1").code == 0
+@pytest.mark.slow
+def test_results_and_grades(keyed: Cli) -> None:
     fill({"H": "=1+1", "K": "<b>$x$</b>"}, 1.0)
     words = ("--sheets", "results", "--sheet-form", "html", "--full", "full.html", "--gradebook", "g.csv")
-    told = made("class", "mark", "class", "class/answers", *words)
+    told = keyed("class", "mark", "class", "class/answers", *words)
     assert told.code == 0, told.err
     assert len(stems("results", ".html")) == 2
     sheet = next(Path("results").glob("01*.html")).read_text(encoding="utf-8")
@@ -125,10 +142,9 @@ def test_results_and_grades(made: Cli) -> None:
     assert not any(cell.startswith(("=", "+", "-", "@")) for row in rows for cell in row)
 
 
-def test_grades_as_a_workbook_in_ukrainian(made: Cli) -> None:
-    assert made("class", "keys", "class", "-q", "-j", "1").code == 0
+def test_grades_as_a_workbook_in_ukrainian(keyed: Cli) -> None:
     fill({}, 1.0)
-    told = made("class", "mark", "class", "class/answers", "--gradebook", "g.xlsx", "--language", "uk", "-q")
+    told = keyed("class", "mark", "class", "class/answers", "--gradebook", "g.xlsx", "--language", "uk", "-q")
     assert told.code == 0
     page = openpyxl.load_workbook("g.xlsx").worksheets[0]
     rows = [[cell.value for cell in row] for row in page.iter_rows()]
@@ -144,9 +160,8 @@ def test_sheets_of_results_of_another_form_are_refused(made: Cli) -> None:
     assert (told.code, "--gradebook" in told.err) == (2, True)
 
 
-def test_a_class_of_which_nothing_is_handed_in_is_marked(made: Cli) -> None:
-    assert made("class", "keys", "class", "-q", "-j", "1").code == 0
-    told = made("class", "mark", "class", "class/answers", "-o", "marks.csv")
+def test_a_class_of_which_nothing_is_handed_in_is_marked(keyed: Cli) -> None:
+    told = keyed("class", "mark", "class", "class/answers", "-o", "marks.csv")
     assert told.code == 0
     assert "nothing from  3" in told.out
     assert Path("marks.csv").read_text(encoding="utf-8-sig").count("nothing was handed in") == 3

@@ -96,6 +96,7 @@ def test_a_stage_that_the_scene_leaves_out_is_told_before_anything_runs(cli: Cli
     assert not Path("p.out").exists()
 
 
+@pytest.mark.slow
 def test_the_error_of_two_stages_is_told_once(cli: Cli) -> None:
     """Forces and reduction read the same load, which fits no linkage of this synthesis."""
     gas = (CONFIGS / "piston-compressor.toml").read_text().partition("[[loads]]")[2].partition("[motor]")[0]

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 import tmmcalc
 from tmmcalc.cli.job import Job
@@ -85,6 +86,7 @@ def test_sizes_of_a_rocker_beside_given_ones(cli: Cli, folder: Path, given: str)
     same(first, second, "cam_pressure", tolerance=1e-9)
 
 
+@pytest.mark.slow
 def test_the_lowest_cam(cli: Cli, folder: Path) -> None:
     old = config("cam-translating", folder)
     code, _, err = cli("cam", "optimize", "old.toml", "--no-store", "--spec", NEW)
@@ -117,6 +119,7 @@ def test_sizes_that_the_lowest_cam_does_not_have_go(cli: Cli, folder: Path) -> N
     assert tomllib.loads((folder / NEW).read_text())["cam"]["guide"]["top"] == "97 mm"
 
 
+@pytest.mark.slow
 def test_the_option_that_has_a_solution(cli: Cli, folder: Path) -> None:
     config("cam-translating", folder)
     asked = ("--set", 'cam.requirements.contact="120 MPa"', "--set", 'cam.optimum.contacts={ steel = "600 MPa" }')
@@ -128,7 +131,7 @@ def test_the_option_that_has_a_solution(cli: Cli, folder: Path) -> None:
     assert max(margins.stress) < 6e8
 
 
-@pytest.mark.parametrize(("name", "shaft"), [("geared-pump", 10.88), ("press", None)])
+@sparing(("name", "shaft"), [("press", None), ("geared-pump", 10.88)], every=2)
 def test_a_flywheel(cli: Cli, folder: Path, name: str, shaft: float | None) -> None:
     old = config(name, folder)
     code, _, err = cli("flywheel", "old.toml", "--no-store", "--spec", NEW)
@@ -227,9 +230,10 @@ def test_given_teeth_that_break_a_constraint(cli: Cli, folder: Path) -> None:
     assert cli("gears", "synth", "old.toml", "--no-store", "-q").code == 0
 
 
-@pytest.mark.parametrize(
+@sparing(
     "name",
     ["slider-crank", "crank-rocker", "slotted-link", "rotating-slotted-link", "trailing-rod", "function", "motion"],
+    every=7,
 )
 def test_linkages(cli: Cli, folder: Path, name: str) -> None:
     old = config(f"synth-{name}", folder)

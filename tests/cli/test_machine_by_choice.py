@@ -91,6 +91,7 @@ def test_no_table_and_no_file_has_them(cli: Cli, stage: str, folder: Path) -> No
     assert not [h for h in headers if h.startswith(("J_red_", "M_red_fr_", "load_", "Simpson", "step_", "omega_turn"))]
 
 
+@pytest.mark.slow
 def test_special_points_in_the_plans(cli: Cli) -> None:
     columns = told(cli, "kinematics", "class-three.toml", "--polygons", "4")["columns"]
     assert "w3_2_4" in columns["to"]

@@ -22,6 +22,7 @@ def rows(text: str) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO(text)))
 
 
+@pytest.mark.slow
 def test_all_that_a_project_can_tell(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     listed = rows(cli("names", str(CONFIGS / "course-project.toml"), "-f", "csv").out)
@@ -54,6 +55,7 @@ def test_names_and_patterns(cli: Cli, tmp_path: Path, monkeypatch: pytest.Monkey
     assert told["columns"]["name"] == ["motion.delta"]
 
 
+@pytest.mark.slow
 def test_every_motion_has_facts_of_its_own(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     asked = '[[constraints]]\nname = "q"\nvalue = "transient.run-down.end_time"\nat_most = "6 s"\n'
@@ -154,6 +156,7 @@ def test_a_wrong_name_in_a_constraint_is_one_error(cli: Cli, tmp_path: Path, lin
 BY_CHOICE = ("forces.max(R0_A)", "kinematics.vrel_D_C[phi=50 deg]", "forces.counters.dense", "motion.error.moment")
 
 
+@pytest.mark.slow
 def test_by_choice_in_a_sweep_and_in_constraints(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     asked = rows(cli("names", str(SHAPER), *BY_CHOICE, "-f", "csv").out)

@@ -32,6 +32,7 @@ def spec(tmp_path: Path) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_the_best_design_is_a_ready_spec(cli: Cli, spec: Path) -> None:
     out = spec.with_name("best.toml")
     told = cli("optimize", str(spec), "--spec", str(out), "-f", "json")
@@ -50,6 +51,7 @@ def test_the_best_design_is_a_ready_spec(cli: Cli, spec: Path) -> None:
     assert not [*spec.parent.glob("*.part")]
 
 
+@pytest.mark.slow
 def test_a_front_is_as_many_specs_and_a_picture(cli: Cli, spec: Path) -> None:
     other = '{ of = "mechanism.links[id=3].points.B[0]", at_least = "250 mm", at_most = "350 mm" }'
     sought = 'least = ["kinematics.size(omega_3)", "kinematics.size(eps_3)"]\ndesigns = 4'

@@ -188,6 +188,7 @@ def test_check_imports_no_numbers(folder: Path) -> None:
     assert not modules & {"numpy", "scipy", "rich", "tmmcalc.pipeline.runner", "tmmcalc.linkage.kinematics"}
 
 
+@pytest.mark.slow
 def test_kinematics_to_a_pipe_imports_what_it_needs(folder: Path) -> None:
     spared = {"scipy", "reportlab", "rich", "difflib"}
     first = imported(folder, "kinematics", "my.toml", "-q")

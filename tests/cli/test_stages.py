@@ -11,10 +11,11 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from ready import LINKAGES
 from sparing import sparing
 
 from tmmcalc.core.plan import plan
-from tmmcalc.project import load_spec, parse_spec
+from tmmcalc.project import parse_spec
 
 from .conftest import CONFIGS, Cli
 from .scenes import PISTON, PLATFORM
@@ -88,7 +89,6 @@ def test_two_step_grid_by_override(cli: Cli) -> None:
     assert columns["angle_1[deg]"] == pytest.approx(STROKES["grid_phi1_deg"], abs=1e-5)
 
 
-LINKAGES = sorted(file.stem for file in CONFIGS.glob("*.toml") if load_spec(file).mechanism is not None)
 ESTIMATES = ("error estimate", "last digit of the data")
 
 
@@ -453,6 +453,7 @@ links = [0, 1]
     assert cli("kinematics", "crank.toml", "-q")[0] == 0
 
 
+@pytest.mark.slow
 def test_a_long_table_shows_some_of_its_positions(cli: Cli) -> None:
     few = cli("kinematics", "my.toml", "--no-store", "--set", "mechanism.grid.positions=5000")
     assert "one position in 3: --positions names others" in few.out

@@ -39,6 +39,7 @@ def spec(tmp_path: Path) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_two_processes_are_one(cli: Cli, spec: Path, tmp_path: Path) -> None:
     pytest.importorskip("joblib")
     told = [
@@ -52,6 +53,7 @@ def test_two_processes_are_one(cli: Cli, spec: Path, tmp_path: Path) -> None:
     assert plain.out == told[0].out
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="kills a process")
 def test_a_killed_run_goes_on(cli: Cli, spec: Path, tmp_path: Path) -> None:
     words = ["tolerance", str(spec), *NAMES, "--samples", "4096"]
@@ -84,6 +86,7 @@ def test_what_is_wrong_is_one_error(cli: Cli, spec: Path) -> None:
     assert told.code == 2
 
 
+@pytest.mark.slow
 def test_results_are_listed_as_for_sensitivities_and_overrides_hold_for_all(cli: Cli, spec: Path) -> None:
     """Commas within brackets are part of a name, flags add; a title that is overridden is that of the document."""
     one = ("--samples", "64", "-q", "--set", "mechanism.grid.positions=12", "--set", 'project.title="Mine"')
@@ -97,6 +100,7 @@ def test_results_are_listed_as_for_sensitivities_and_overrides_hold_for_all(cli:
     assert "--of: a name is missing" in none.err
 
 
+@pytest.mark.slow
 def test_pictures_speak_the_language_that_is_asked_for(cli: Cli, spec: Path, tmp_path: Path) -> None:
     """Words, units and decimal signs of histograms and of the band."""
     asked = ("--of", "kinematics.stroke_D", "--band", "kinematics.S_D", "--samples", "2048", "-q", "--balance", "none")

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import openpyxl
 import pytest
+from sparing import sparing
 
 from .conftest import CONFIGS, Cli
 
@@ -28,7 +29,7 @@ def table(page: openpyxl.worksheet.worksheet.Worksheet) -> list[list[object]]:
     return [[cell.value for cell in row] for row in page.iter_rows(1, height, 1, width)]
 
 
-@pytest.mark.parametrize("name", ["shaper", "pair-spur", "cam", "manipulator"])
+@sparing("name", ["shaper", "pair-spur", "cam", "manipulator"], every=4, first=1)
 def test_a_run_in_a_workbook_is_that_in_csv_and_json(cli: Cli, name: str) -> None:
     spec = str(CONFIGS / f"{name}.toml")
     told = json.loads(cli("run", spec, "-o", "out", "-f", "json").out)
@@ -54,6 +55,7 @@ def test_a_run_in_a_workbook_is_that_in_csv_and_json(cli: Cli, name: str) -> Non
     assert sum(bool(row[5]) for row in rows) > 0.9 * len(rows)
 
 
+@pytest.mark.slow
 def test_the_charts_of_a_run(cli: Cli) -> None:
     cli("run", str(CONFIGS / "shaper.toml"), "-o", "out", "-f", "xlsx", "-q")
     book = openpyxl.load_workbook("out/run.xlsx")
@@ -134,6 +136,7 @@ def test_a_makefile_knows_the_workbook(cli: Cli) -> None:
     assert "my.toml" in needs
 
 
+@pytest.mark.slow
 def test_several_specs_have_a_workbook_each(cli: Cli) -> None:
     Path("b.toml").write_text(Path("my.toml").read_text())
     code, out, _ = cli("run", "my.toml", "b.toml", "--to", "kinematics", "-f", "xlsx", "-o", "all", "-q")

@@ -53,7 +53,7 @@ LARGE = [  # of which each variant takes long: some keys
 
 SPRUNG = ["forces.max(M_drive)", "forces.rms(R_A)", "forces.R_B@5", "forces.M_drive_max", "forces.R_C_max"]
 QUICK = [
-    ("sprung.toml", SPRUNG, ["springs*", "loads[name=turn]*moment*"]),
+    pytest.param("sprung.toml", SPRUNG, ["springs*", "loads[name=turn]*moment*"], marks=pytest.mark.slow),
     (
         "shaper",
         [*SCENES[0][1], *SCENES[1][1]],
@@ -96,6 +96,7 @@ def check(config: str, names: list[str], keys: list[str], part: float) -> None:
                 assert abs(one.value - other.value) <= most, (key, name)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("config", "names", "keys"), QUICK)
 def test_exact_derivatives_are_those_of_differences(config: str, names: list[str], keys: list[str]) -> None:
     check(config, names, keys, 1.0)

@@ -60,6 +60,7 @@ def needed(stroke: Any, rise: Any, limit: Any) -> Any:
     return stroke / 2 * (mp.pi / whole * mp.sin(p) / tangent - (1 - mp.cos(p)))
 
 
+@pytest.mark.slow
 def test_the_least_radius_of_a_cam() -> None:
     expected = slopes(lambda h, rise, limit: needed(h / 1000, rise, limit), [30, 90, 30])
     keys = ["cam.stroke", "cam.rise", "cam.limits.pressure_angle"]
@@ -81,6 +82,7 @@ def inertia(speed: Any, second: Any, third: Any, delta: Any) -> Any:
     return (work(high) - work(low)) / (delta * (speed * mp.pi / 30) ** 2)
 
 
+@pytest.mark.slow
 def test_the_flywheel_of_a_torque_diagram() -> None:
     keys = ["torque.speed", "torque.harmonics.terms[0].sin", "torque.harmonics.terms[1].cos", "flywheel.delta"]
     check(HERE / "torque.toml", "flywheel.J_F", keys, slopes(inertia, [100, -90, 40, "0.05"]))

@@ -53,6 +53,7 @@ def test_laws_of_similarity() -> None:
     assert [told[name] for name in names] == pytest.approx([1, 2, 0], abs=1e-11)
 
 
+@pytest.mark.slow
 def test_events_that_jump_and_sides_are_told() -> None:
     """A load that begins at a row of the table is there or not."""
     result = sensitivity(SHAPER, ["forces.max(R_A)"], ["loads[name=Q5].between[0]", CRANK])
@@ -93,8 +94,8 @@ def test_keys_that_there_are_not(tmp_path: Path) -> None:
     ("config", "name", "keys"),
     [
         ("shaper.toml", "motion.delta", ["flywheel.inertia", "loads[name=Q5].force"]),
-        ("pair-spur.toml", "pair.*", ["pair*"]),
-        ("cam.toml", "cam_synthesis.*", ["cam*"]),
+        pytest.param("pair-spur.toml", "pair.*", ["pair*"], marks=pytest.mark.slow),
+        pytest.param("cam.toml", "cam_synthesis.*", ["cam*"], marks=pytest.mark.slow),
         ("extra-bearing.toml", "bearing.*", ["bearing*"]),
     ],
 )

@@ -33,6 +33,7 @@ def of(
     return tolerate(asked, warn=lambda said: None)
 
 
+@pytest.mark.slow
 def test_a_result_that_is_linear_is_so_in_every_sample(tmp_path: Path) -> None:
     """H = 2 l_3 l_1 / l_0 of l_3 alone: the samples are normal ones, with the sigma of the linear model."""
     found = of(tmp_path, f'of = "{SLOTTED}"\ntolerance = "0.6 mm"')
@@ -71,6 +72,7 @@ def test_what_samples_tell_has_its_interval_and_outer_quantiles_need_enough(
     assert any(note.startswith("normal: 3 sigma") for note in document.notes)
 
 
+@pytest.mark.slow
 def test_small_tolerances_are_linear(tmp_path: Path) -> None:
     """H = 2 l_3 l_1 / l_0: what sampled and linear sigmas differ by falls with the square of the tolerances."""
     off = []
@@ -91,6 +93,7 @@ def test_small_tolerances_are_linear(tmp_path: Path) -> None:
     assert off[1] < 2e-3
 
 
+@pytest.mark.slow
 def test_where_a_result_is_least_the_linear_model_sees_nothing(tmp_path: Path) -> None:
     """The stroke of a centric crank-slider by its offset e: H = 2 r + c e^2, chi-square of one degree of freedom."""
     r, l, e = 0.1, 0.32, 0.006
@@ -136,6 +139,7 @@ def test_a_guide_that_goes_up_to_the_limit_of_assembly(tmp_path: Path) -> None:
     assert int(np.isnan(found.values[:, 0]).sum()) == refused
 
 
+@pytest.mark.slow
 def test_a_clearance_presses_where_the_force_is_largest(tmp_path: Path) -> None:
     """Against the run itself: the reaction in C on the slotted link, turned into its axes."""
     found = of(tmp_path, 'joint = "C"\nclearance = ["0.02 mm", "0.06 mm"]\ndirection = "force"')
@@ -163,6 +167,7 @@ def test_a_clearance_presses_where_the_force_is_largest(tmp_path: Path) -> None:
     assert any("at all positions" in note for note in tolerance_document(found, "t").notes)
 
 
+@pytest.mark.slow
 def test_a_clearance_at_an_angle_and_a_slider_on_one_side(tmp_path: Path) -> None:
     found = of(
         tmp_path,
@@ -181,6 +186,7 @@ def test_a_clearance_at_an_angle_and_a_slider_on_one_side(tmp_path: Path) -> Non
     assert found.sources.count == 1
 
 
+@pytest.mark.slow
 def test_pieces_that_were_measured(tmp_path: Path) -> None:
     sizes = np.random.default_rng(5).normal(199.98, 0.02, 200)
     lines = "\n".join(f"{at};{size:.4f}" for at, size in enumerate(sizes))

@@ -99,6 +99,7 @@ def ball(k: int) -> float:
     return math.pi ** (k / 2) / math.gamma(k / 2 + 1) / 2**k
 
 
+@pytest.mark.slow
 def test_intervals_hold_the_truth_as_often_as_they_say() -> None:
     """200 seeds; by the binomial law 181 to 198 of 200 are within 3 sigma of 95 %; Wilson's intervals hold more.
 

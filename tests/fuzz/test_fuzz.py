@@ -19,6 +19,7 @@ from fuzz.judge import Case, judge
 from fuzz.mutants import mutant
 
 CASES = Path(__file__).with_name("cases")
+LONG = {"lengths-of-no-length"}
 SEED = int(os.environ.get("FUZZ_SEED", "1"))
 COUNT = int(os.environ.get("FUZZ_COUNT", "2000"))
 
@@ -38,7 +39,13 @@ def keep(case: Case, cause: str) -> Path:
     return file
 
 
-@pytest.mark.parametrize("file", sorted(CASES.glob("*.toml")), ids=lambda file: file.stem)
+@pytest.mark.parametrize(
+    "file",
+    [
+        pytest.param(file, marks=pytest.mark.slow if file.stem in LONG else (), id=file.stem)
+        for file in sorted(CASES.glob("*.toml"))
+    ],
+)
 def test_what_once_failed(file: Path, tmp_path: Path, known_schema: None) -> None:
     assert judge(kept(file), tmp_path / "case").faults == []
 

@@ -9,6 +9,7 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tests.linkage.scenes import CONFIGS, crank_slider, four_bar
 from tmmcalc.core.numerics.alike import numbers, paths
@@ -91,7 +92,7 @@ def scale_of(told: dict[str, Any], header: str) -> float:
     return max(float(np.max(np.abs(value))) for key, value in told.items() if key.endswith(unit)) or 1.0
 
 
-@pytest.mark.parametrize(("config", "key", "at", "h"), KEYS)
+@sparing(("config", "key", "at", "h"), KEYS, every=3, first=1)
 def test_derivatives_are_those_of_the_whole_program(config: str, key: str, at: float | None, h: float) -> None:
     scene = Scene(config, key, at)
     mechanism, loading = scene.tree(0.0)

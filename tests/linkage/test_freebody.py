@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from loaded import DEG, READY, anything, press, ready, statics
+from loaded import DEG, anything, press, ready, statics
+from ready import LINKAGES
 from sparing import sparing
 
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
@@ -32,7 +33,7 @@ def test_a_force_polygon_that_does_not_close_is_seen() -> None:
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
-@sparing("name", READY, every=4)
+@sparing("name", LINKAGES, every=8)
 def test_every_body_is_in_equilibrium(name: str, side: float) -> None:
     mechanism = ready(name)
     scene = statics(mechanism, anything(mechanism))
@@ -47,7 +48,7 @@ def test_every_body_is_in_equilibrium(name: str, side: float) -> None:
             assert abs(sum(moments)) < 1e-11 * size * (1 + arm)
 
 
-@sparing("name", READY, every=4)
+@sparing("name", LINKAGES, every=4)
 def test_the_inner_reaction_is_a_chord(name: str) -> None:
     """The forces of link a and the reaction of b on it balance, and so do those of link b."""
     mechanism = ready(name)

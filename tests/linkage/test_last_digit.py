@@ -175,6 +175,7 @@ def twins(count: int) -> Iterator[tuple[Kinematics, list[float]]]:
         yield found, far
 
 
+@pytest.mark.slow
 def test_other_last_digits_differ_by_no_more_than_is_told() -> None:
     ratios = []
     for found, far in twins(40):
@@ -190,6 +191,7 @@ def test_other_last_digits_differ_by_no_more_than_is_told() -> None:
     assert np.median(ratios) < 30
 
 
+@pytest.mark.slow
 def test_a_position_0_at_a_dead_centre_goes_along() -> None:
     """It hangs on the metric, and so do all positions, which are counted from it."""
     rng, compared, moved = np.random.default_rng(33), 0, 0
@@ -253,6 +255,7 @@ def loaded_scenes(count: int) -> Iterator[tuple[Mechanism, Loading, Kinematics]]
             yield mechanism, replace(random_loading(rng, mechanism), springs=()), found
 
 
+@pytest.mark.slow
 def test_forces_and_reduction_tell_it() -> None:
     rng, met = np.random.default_rng(5), 0
     for mechanism, loading, found in loaded_scenes(14):

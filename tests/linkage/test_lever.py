@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from loaded import DEG, READY, anything, press, ready, statics
+from loaded import DEG, anything, press, ready, statics
 from random_mechanisms import KINDS
+from ready import LINKAGES
 from sparing import sparing
 
 import tmmcalc
@@ -101,7 +102,7 @@ def test_a_gear_on_the_crank() -> None:
     assert balanced(found, kinematics)
 
 
-@sparing("name", READY, every=3)
+@sparing("name", LINKAGES, every=6)
 def test_ready_mechanisms(name: str) -> None:
     """Higher groups, driven sliders and driven lengths too, with friction, springs, dampers, moments."""
     mechanism = ready(name)

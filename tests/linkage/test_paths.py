@@ -12,6 +12,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+from sparing import sparing
 from storing import assert_stored_as_found
 
 import tmmcalc
@@ -373,7 +374,7 @@ MOVED = 'paths[0].shift=["1 mm", 0]'
 TIMED = 'paths[0].at=["0 deg", "20 deg", "40 deg", "60 deg", "80 deg", "1 rad"]'
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("asked", "sets", "way"),
     [
         (("paths.deviation_*_P", "paths.max(distance)", "paths.dx@3"), [], Columns),
@@ -384,6 +385,7 @@ TIMED = 'paths[0].at=["0 deg", "20 deg", "40 deg", "60 deg", "80 deg", "1 rad"]'
         ),
         (("paths.*",), ["mechanism.input.speed=-1"], Results),
     ],
+    every=3,
 )
 def test_variants_together_are_those_alone(tmp_path: Path, asked: Any, sets: Any, way: type) -> None:
     """Some do not assemble over the whole turn: these are solved alone, which is told."""

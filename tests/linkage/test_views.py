@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Grid
@@ -77,7 +78,7 @@ def test_unsteady_motion_over_the_time(name: str) -> None:
             np.testing.assert_allclose(seen[point][1], rate, atol=1e-9)
 
 
-@pytest.mark.parametrize("name", ["synth-motion", "synth-path", "synth-crank-rocker", "synth-dwell"])
+@sparing("name", ["synth-motion", "synth-path", "synth-crank-rocker", "synth-dwell"], every=4, first=2)
 def test_a_linkage_that_was_found(name: str) -> None:
     from tmmcalc.linkage.views.synthesis import views
 

@@ -336,6 +336,7 @@ def test_a_formula_that_turns_too_often_is_refused(formula: str) -> None:
     assert "lower the factors of theta" in told.value.remedy
 
 
+@pytest.mark.slow
 def test_equal_diagrams_have_no_more_pieces_than_panels() -> None:
     cycle = from_formula("sin(3000*theta)", 10.0)
     with pytest.raises(AccuracyError, match="jumps and kinks"):

@@ -11,11 +11,13 @@ from tmmcalc.note.assembled import Assembler, Checked
 from tmmcalc.note.tree import Written
 from tmmcalc.note.whole import Work, whole
 from tmmcalc.pipeline.chapters import chapters_of, errors_of, sought_in, stages_of, task_of, warnings_of
+from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.picturing import NONE
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
 from tmmcalc.project.found import text_of
 from tmmcalc.report.drawing.order import POSITIONS
+from tmmcalc.report.language import spoken
 from tmmcalc.report.manuscript import Block, Chapter
 from tmmcalc.report.printing import FULL
 from tmmcalc.report.tables.note import AuthorTable
@@ -37,13 +39,27 @@ def chapters(name: str) -> tuple[Chapter, ...]:
     return tuple(told(name))
 
 
+@cache
+def solved(name: str, only: tuple[str, ...], changed: tuple[str, ...] = ()) -> RunResult:
+    """What the chapters of these rooms are made of, once for all tests: it has no language."""
+    return run(load_spec(CONFIGS / f"{name}.toml", changed), target=stages_of(only))
+
+
 def told(
-    name: str, positions: str | None = None, only: tuple[str, ...] = tuple(CHAPTERS), changed: Sequence[str] = ()
+    name: str, positions: str | None = None, only: Sequence[str] = tuple(CHAPTERS), changed: Sequence[str] = ()
 ) -> list[Chapter]:
     """The chapters of a ready spec, with these keys changed, in the language in force."""
-    done = run(load_spec(CONFIGS / f"{name}.toml", changed), target=stages_of(only))
+    return list(_told(name, positions, tuple(only), tuple(changed), spoken()))
+
+
+@cache
+def _told(
+    name: str, positions: str | None, only: tuple[str, ...], changed: tuple[str, ...], language: str
+) -> tuple[Chapter, ...]:
+    """Once for all tests in a language, which is the one in force."""
+    done = solved(name, only, changed)
     titles = {chapter: CHAPTERS[chapter] for chapter in only}
-    return chapters_of(titles, done.spec, done.results, {**NONE, POSITIONS: positions})
+    return tuple(chapters_of(titles, done.spec, done.results, {**NONE, POSITIONS: positions}))
 
 
 def blocks(told: list[Chapter]) -> list[Block]:
@@ -58,13 +74,17 @@ def lines(name: str) -> list[Checked]:
     return assembler.lines
 
 
-def written(name: str, only: tuple[str, ...] = tuple(CHAPTERS), depth: str = FULL) -> list[Written]:
+def written(name: str, only: Sequence[str] = tuple(CHAPTERS), depth: str = FULL) -> list[Written]:
     """The whole note in the language in force."""
-    spec = load_spec(CONFIGS / f"{name}.toml")
-    done = run(spec, target=stages_of(only))
-    stages, titles = stages_of(only), {chapter: CHAPTERS[chapter] for chapter in only}
-    chapters = chapters_of(titles, done.spec, done.results)
+    return list(_written(name, tuple(only), depth, spoken()))
+
+
+@cache
+def _written(name: str, only: tuple[str, ...], depth: str, language: str) -> tuple[Written, ...]:
+    """Once for all tests in a language, which is the one in force."""
+    done, stages = solved(name, only), stages_of(only)
+    chapters = chapters_of({chapter: CHAPTERS[chapter] for chapter in only}, done.spec, done.results)
     task, sought = task_of(done.spec, done.results), sought_in(done.results, stages)
     warnings, errors = warnings_of(done, stages), errors_of(done, stages)
-    work = Work(name, AuthorTable(), {}, warnings, errors, text_of(spec), task, sought)
-    return whole(work, chapters, depth)
+    given = text_of(load_spec(CONFIGS / f"{name}.toml"))
+    return tuple(whole(Work(name, AuthorTable(), {}, warnings, errors, given, task, sought), chapters, depth))

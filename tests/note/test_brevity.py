@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from sparing import sparing
 
 from note.scenes import written
 from tmmcalc.note.assembled import Assembler
@@ -86,7 +87,8 @@ def test_narrow_tables_stay_beside_each_other() -> None:
     assert [len(each.head) for each in grids(table(3, 25), table(3, 25, "u"))] == [4, 4]
 
 
-@pytest.mark.parametrize("language", ["en", "uk"])
+@pytest.mark.slow
+@sparing("language", ["en", "uk"], every=2)
 def test_heads_of_columns_begin_with_capitals(language: str) -> None:
     with speaking(language):
         heads = [plain_text(cell) for each in written("shaper") if isinstance(each, Grid) for cell in each.head]

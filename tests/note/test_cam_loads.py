@@ -223,6 +223,7 @@ def test_every_kind_is_exact_and_works_out_as_printed(kind: str, tmp_path: Path)
     assert "nan" not in text(note)
 
 
+@pytest.mark.slow
 def test_the_worked_cam_with_friction() -> None:
     """Case cams-s20: offset stem, cosine rise, shun return; table positions 3 (20 deg), 6 (40 deg), 19 (145 deg)."""
     found = values(told("cam-translating", "3,6,19", ONLY))
@@ -295,6 +296,7 @@ def test_the_indexing_drive_of_the_paper() -> None:
     assert found["ϑ_B", "at k = 0.75"] == -found["ϑ_B", "at k = 0.25"]
 
 
+@pytest.mark.slow
 def test_what_a_scene_lacks_leaves_no_trace(tmp_path: Path) -> None:
     bare = text(Assembler().written(told_of("no spring", tmp_path)))
     assert not re.search(r"μ|jam|Return spring|guide", bare)
@@ -330,6 +332,7 @@ def test_what_is_special_is_said(kind: str, said: str, tmp_path: Path) -> None:
     assert said in text(Assembler().written(told_of(kind, tmp_path)))
 
 
+@pytest.mark.slow
 def test_an_extreme_that_a_dwell_keeps_is_told_with_the_dwell() -> None:
     """The part is pushed out until the end of the far dwell; in the near one the spring alone presses."""
     (cam,) = told("course-project", None, ONLY)
@@ -342,6 +345,7 @@ def test_an_extreme_that_a_dwell_keeps_is_told_with_the_dwell() -> None:
     assert "it does so over the dwell from φ = 190° to 360°" in text(Assembler().written([cam]))
 
 
+@pytest.mark.slow
 def test_a_force_that_dips_within_a_dwell_keeps_no_value_in_it() -> None:
     """From 80° to 100° the follower rests at the top; between 86° and 88° nearly nothing presses on it."""
     force = '{ phi = ["0°", "86°", "87°", "88°", "180°"], force = [-120, -120, -1, -120, -120] }'
@@ -352,6 +356,7 @@ def test_a_force_that_dips_within_a_dwell_keeps_no_value_in_it() -> None:
     assert "80–100" not in load
 
 
+@pytest.mark.slow
 def test_every_angular_velocity_of_the_cam_has_its_name() -> None:
     """That of a position, the given one, by which friction is reduced, and the mean of the time."""
     said = text(Assembler().written(told("course-project", None, ONLY)))
@@ -365,6 +370,7 @@ def test_every_angular_velocity_of_the_cam_has_its_name() -> None:
         assert f"|{even[:5]}" in friction
 
 
+@pytest.mark.slow
 def test_two_sides_of_a_position_are_said_to_be_so() -> None:
     said = text(Assembler().written(told("course-project", None, ONLY)))
     assert "Rows 0 and 26 are one position" in said

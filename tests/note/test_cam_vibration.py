@@ -117,6 +117,7 @@ def mirrored(law: Law) -> Law:
     return Law("mirrored", breaks, rows, *waves)
 
 
+@pytest.mark.slow
 def test_mutants_of_the_closed_form_are_caught(tmp_path: Path) -> None:
     """All formulas of a harmonic and of a polynomial, with damping."""
     caught: dict[object, bool] = {}
@@ -168,6 +169,7 @@ def test_every_figure_and_table_is_named_by_a_text(name: str) -> None:
             assert f"{{tab:{key}}}" in said, key
 
 
+@pytest.mark.slow
 def test_a_concave_radius_is_warned_of_once() -> None:
     said = text(written("cam-oscillating"))
     assert said[said.index("Conclusions") :].count("23.884") == 2  # in the table, in one sentence

@@ -6,6 +6,7 @@ import json
 import re
 
 import pytest
+from sparing import sparing
 
 from note.scenes import written
 from tmmcalc.note.columns import asked, asked_by, least_width, widths_of
@@ -35,7 +36,7 @@ def measured(texts: list[str]) -> list[float]:
     return [each / SIZE for each in found]
 
 
-@pytest.mark.parametrize(("name", "language"), [("shaper", "en"), ("press", "uk"), ("gears-pairs", "uk")])
+@sparing(("name", "language"), [("shaper", "en"), ("press", "uk"), ("gears-pairs", "uk")], every=3)
 def test_texts_fit_their_columns(name: str, language: str) -> None:
     found = grids(name, language)
     with speaking(language):

@@ -36,7 +36,7 @@ NAMED = {"resistance"}  # the load of a linkage that is sought
 MM = 72 / 25.4
 
 
-@pytest.fixture(scope="module", params=["en", "uk"])
+@pytest.fixture(scope="module", params=["en", pytest.param("uk", marks=pytest.mark.slow)])
 def spoken(request: pytest.FixtureRequest) -> Any:
     """A language, and the shaper's note in it."""
     with speaking(request.param):
@@ -101,6 +101,7 @@ def said_in(text: Text) -> Iterator[str]:
     yield from (part for part in text.parts if isinstance(part, str))
 
 
+@pytest.mark.slow
 def test_a_document_of_word_has_every_formula_as_an_equation(spoken: Any) -> None:
     _, note = spoken
     archive = zipfile.ZipFile(BytesIO(document(note, "Shaper")))
@@ -221,3 +222,34 @@ def test_numbers_of_parts_without_a_chapter_do_not_begin_anew_in_word() -> None:
     held = document(Assembler().written(parts), "X")
     said = zipfile.ZipFile(BytesIO(held)).read("word/document.xml").decode()
     assert re.findall(r"SEQ Table \\\* ARABIC \\s 1 \\r (\d)", said) == ["1", "2"]
+
+
+def test_contents_of_word_lead_to_their_titles_and_ask_for_pages() -> None:
+    """Their lines are links with fields of pages; what Word writes anew when it opens the file looks the same."""
+    titles = [Title("1", Text(("Motion",)), 1), Title("1.1", Text(("Plans",)), 2), Title("", Text(("Conclusions",)), 1)]
+    archive = zipfile.ZipFile(BytesIO(document([Contents("Contents", 3), *titles], "X")))
+    space = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
+    root, styles, settings = (
+        ElementTree.fromstring(archive.read(f"word/{part}.xml")) for part in ("document", "styles", "settings")
+    )
+    marks = [each.get(f"{space}name") for each in root.iter(f"{space}bookmarkStart")]
+    links = [*root.iter(f"{space}hyperlink")]
+    assert [link.get(f"{space}anchor") for link in links] == marks
+    codes = ["".join(each.text or "" for each in link.iter(f"{space}instrText")) for link in links]
+    assert codes == [f" PAGEREF {mark} \\h " for mark in marks]
+    update = settings.find(f"{space}updateFields")
+    assert update is not None
+    assert update.get(f"{space}val") == "true"
+    named = {style.find(f"{space}name").get(f"{space}val"): style for style in styles.iter(f"{space}style")}  # type: ignore[union-attr]
+    worn = [
+        each.get(f"{space}val")
+        for paragraph in root.iter(f"{space}p")
+        if paragraph.find(f"{space}hyperlink") is not None
+        for each in paragraph.iter(f"{space}pStyle")
+    ]
+    kinds = [named[f"toc {level}"].get(f"{space}styleId") for level in (1, 2, 1)]
+    assert worn == kinds
+    for level in (1, 2):
+        tab = named[f"toc {level}"].find(f".//{space}tab")
+        assert tab is not None
+        assert tab.get(f"{space}leader") == "dot"

@@ -63,6 +63,7 @@ def test_there_are_linkages_of_every_kind_of_dyad() -> None:
     assert {"shaper", "press", "four-bar", "trammel", "scotch-yoke", "four-dyads"} <= set(filter(linkage, SPECS))
 
 
+@pytest.mark.slow
 def test_the_shaper_moves_as_in_the_textbook() -> None:
     """Positions 6 and 18 of table D.2.1, recomputed: angles, and rates against l_1 omega_1 and its like."""
     assembler = Assembler()
@@ -168,6 +169,7 @@ def test_couples_are_not_called_forces() -> None:
     assert not re.search(r"force of link \d, N·m", said)
 
 
+@pytest.mark.slow
 def test_a_number_that_is_the_result_stands_once() -> None:
     """``R_10y = −T_1y`` of a positive sum is a sign before a number, and that is the result."""
     twice = re.compile(r"= (\S+) = \1(?= |$)", re.MULTILINE)

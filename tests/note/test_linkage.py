@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from note.scenes import blocks, told
 from tmmcalc.note.assembled import Assembler
@@ -84,7 +85,7 @@ def test_a_plan_differs_from_the_formulas_by_what_is_read_off_alone() -> None:
         assert abs(number(row[4]) / number(row[5]) - 1) <= near
 
 
-@pytest.mark.parametrize(("name", "loops"), [("class-three", 2), ("class-four", 2), ("class-three-slider", 2)])
+@sparing(("name", "loops"), [("class-three", 2), ("class-four", 2), ("class-three-slider", 2)], every=3)
 def test_newton_comes_to_the_assembly_and_its_system_holds(name: str, loops: int) -> None:
     steps = [each for each in chapters(name) if isinstance(each, Table) and each.head[0] == "Step"]
     assert len(steps) == 2

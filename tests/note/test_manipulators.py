@@ -8,6 +8,7 @@ from math import radians
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from note.naming import unnamed
 from note.scenes import told, written
@@ -100,7 +101,7 @@ def of_kind(kind: str, folder: Path) -> tuple[list[Block], list[Checked], list[W
     return [block for chapter in chapters for block in chapter.blocks], found.lines, note
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@sparing("kind", KINDS, every=4)
 def test_every_kind_of_motion_is_exact_and_works_out_as_printed(kind: str, tmp_path: Path) -> None:
     blocks, found, note = of_kind(kind, tmp_path)
     assert not [*unnamed(blocks)]

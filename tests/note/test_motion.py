@@ -121,6 +121,7 @@ def test_all_methods_agree_on_a_sine(tmp_path: Path) -> None:
     assert "touch it, at φ = 180° and φ = 0°" in text(Assembler().written(chapters))
 
 
+@pytest.mark.slow
 def test_the_rim_carries_its_share() -> None:
     """m (D^2 + h^2)/4 = 0.9 J of the flywheel, and J u^2 of it at the crank."""
     found = values(told("course-project", only=("motion",)))
@@ -170,7 +171,10 @@ def test_a_time_optimal_motion_is_that_of_the_textbook() -> None:
         ("shaper", "ω_min ≥ ω_N: 5.4789 ≥ 5.5676 rad/s. The condition fails.", "Sizes of the flywheel\n"),
         ("press", "Angular velocity by the kinetic energy", "Characteristic of the motor"),
         ("electric-braking", "do not change over the cycle", "Excess work"),
-        ("elastic-drive", "M_i,i+1 = c_i (φ_i − φ_i+1)", "Angular velocity by the recurrence"),
+        pytest.param(
+            *("elastic-drive", "M_i,i+1 = c_i (φ_i − φ_i+1)", "Angular velocity by the recurrence"),
+            marks=pytest.mark.slow,
+        ),
     ],
 )
 def test_the_chapter_follows_its_scene(name: str, there: str, absent: str) -> None:
@@ -219,6 +223,7 @@ def test_the_exact_line_is_on_one_side_of_a_jump() -> None:
     assert line.found.error < 1e-12
 
 
+@pytest.mark.slow
 def test_a_time_that_is_given_is_no_result() -> None:
     """The start-up is followed for 15 s; the stop ends by itself."""
     results = [each for each in blocks(told("course-project", only=("motion",))) if isinstance(each, Result)]

@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -21,22 +22,34 @@ NAMES = ("shaper", "pair-helical")
 MM = 72 / 25.4
 
 
-@pytest.fixture(scope="module", params=[(name, language) for name in NAMES for language in ("en", "uk")])
-def turned(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Any:
-    """A note, and the PDF that LibreOffice makes of it; CI has LibreOffice with its formulas."""
+NOTES = [(name, language) for name in NAMES for language in ("en", "uk")]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """All notes as PDF, which LibreOffice makes of them in one go; CI has LibreOffice with its formulas."""
     if OFFICE is None:
         assert not os.environ.get("CI"), "LibreOffice is not installed"
         pytest.skip("LibreOffice is not installed")
+    folder, files = tmp_path_factory.mktemp("office"), list[str]()
+    for name, language in NOTES:
+        files.append(str(folder / f"{name}-{language}.docx"))
+        with speaking(language):
+            Path(files[-1]).write_bytes(document(written(name), name))
+    profile = f"-env:UserInstallation={(folder / 'profile').as_uri()}"
+    command = [OFFICE, profile, "--headless", "--convert-to", "pdf", "--outdir", str(folder), *files]
+    subprocess.run(command, check=True, capture_output=True, timeout=300)
+    return folder
+
+
+@pytest.fixture(scope="module", params=NOTES)
+def turned(request: pytest.FixtureRequest, folder: Path) -> Any:
+    """A note, and the PDF that LibreOffice makes of it."""
     reader = pytest.importorskip("pypdfium2")
     name, language = request.param
-    folder = tmp_path_factory.mktemp("office")
     with speaking(language):
         note = written(name)
-        (folder / "my.docx").write_bytes(document(note, name))
-    profile = f"-env:UserInstallation={(folder / 'profile').as_uri()}"
-    command = [OFFICE, profile, "--headless", "--convert-to", "pdf", "--outdir", str(folder), str(folder / "my.docx")]
-    subprocess.run(command, check=True, capture_output=True, timeout=300)
-    return note, reader.PdfDocument(folder / "my.pdf")
+    return note, reader.PdfDocument(folder / f"{name}-{language}.pdf")
 
 
 def text_of(read: Any) -> str:

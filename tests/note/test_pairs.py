@@ -8,6 +8,7 @@ from math import degrees
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from note.naming import unnamed
 from note.scenes import told, written
@@ -92,7 +93,7 @@ def test_point_d_slides_evenly() -> None:
     assert found["ε_α"] == pytest.approx(1.2, abs=1e-5)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@sparing("kind", KINDS, every=4)
 def test_every_kind_of_pair_is_exact_and_works_out_as_printed(kind: str, tmp_path: Path) -> None:
     spec = tmp_path / "spec.toml"
     spec.write_text(HEAD + KINDS[kind], encoding="utf-8")
@@ -114,6 +115,7 @@ def test_a_spur_wheel_has_no_normal_section() -> None:
     assert "β" not in text(written("pair-spur", only=ONLY))
 
 
+@pytest.mark.slow
 def test_a_wheel_of_two_meshes_is_told_once() -> None:
     said = text(written("gears-pairs", only=ONLY))
     assert said.count("Tooth of wheel 2 by points") == 1
@@ -121,6 +123,7 @@ def test_a_wheel_of_two_meshes_is_told_once() -> None:
     assert "External pair 19/38 (1–2)" in said
 
 
+@pytest.mark.slow
 def test_the_open_pair_on_the_crank() -> None:
     said = text(written("geared-press", only=ONLY))
     assert " = 60/18 = 3.3333" in said

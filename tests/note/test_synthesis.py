@@ -7,6 +7,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from note.naming import unnamed
 from note.scenes import CONFIGS, told
@@ -282,7 +283,7 @@ def test_the_slotted_links_of_worked_examples(tmp_path: Path) -> None:
             assert found[name] == pytest.approx(value, rel=3e-5), name
 
 
-@pytest.mark.parametrize("name", CLOSED)
+@sparing("name", CLOSED, every=4)
 def test_every_way_to_ask_is_exact_and_works_out_as_printed(name: str, tmp_path: Path) -> None:
     checked(chapters(body_of(name), tmp_path))
 

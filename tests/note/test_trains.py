@@ -171,6 +171,7 @@ def test_the_course_of_the_choice_adds_up_and_its_best_train_is_the_chosen_one(n
         assert all(before - removed == after for (before, removed), (after, _) in pairwise(counts))
 
 
+@pytest.mark.slow
 def test_a_whole_number_is_said_to_be_one_and_trains_are_named_by_their_teeth() -> None:
     said = text(Assembler().written(told("course-project", only=("gears",))))
     assert re.search(r"assembly +2010 is whole +kept", said)

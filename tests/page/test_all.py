@@ -8,7 +8,7 @@ from page.conftest import Open
 from page.scenes import MOVING, SPECS
 
 SIZES = ((1500, 1000), (900, 1100), (390, 800))
-QUICK = ("shaper", "cam-translating", "extra-tie-down")
+QUICK = ("shaper",)
 # what has no place, for a number in it is none
 LOST = """() => [...document.querySelectorAll("[transform], [d], [points], [x1], [x], [cx], [cy]")].filter((each) =>
   [...each.attributes].some((one) => /NaN|Infinity|undefined/.test(one.value))).map((each) => each.outerHTML)"""
@@ -43,6 +43,7 @@ def test_opens(name: str, open_page: Open) -> None:
         assert page.evaluate(LOST) == []
 
 
+@pytest.mark.slow
 def test_a_machine_moves_wherever_a_linkage_does(open_page: Open) -> None:
     assert len(MOVING) > 20
     assert open_page("shaper").page.locator("[data-view=kinematics]").count() == 1

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from page.conftest import Open
 from page.opened import Opened, slid
@@ -29,7 +30,7 @@ def seen(found: Opened) -> complex:
     return complex(x, -y)
 
 
-@pytest.mark.parametrize("name", ["manipulator", "manipulator-angular", "manipulator-direct"])
+@sparing("name", ["manipulator", "manipulator-angular", "manipulator-direct"], every=3)
 def test_the_gripper_is_seen_where_its_stage_has_it(name: str, open_page: Open) -> None:
     task = to_manipulator(load_spec(CONFIGS / f"{name}.toml"))
     result: Any = solve_manipulator(task)
@@ -44,6 +45,7 @@ def test_the_gripper_is_seen_where_its_stage_has_it(name: str, open_page: Open) 
     assert fit.error < 1e-3 * fit.size
 
 
+@pytest.mark.slow
 def test_a_hand_takes_the_gripper_from_its_rest(open_page: Open) -> None:
     found = open_page("manipulator")
     start = seen(found)
@@ -60,7 +62,8 @@ def test_a_hand_takes_the_gripper_from_its_rest(open_page: Open) -> None:
     assert float(found.page.locator(".view input[type=range]").first.input_value()) == pytest.approx(0.8, abs=0.05)
 
 
-@pytest.mark.parametrize("name", [pytest.param(n, marks=() if n == OTHERS[0] else pytest.mark.slow) for n in OTHERS])
+@pytest.mark.slow
+@pytest.mark.parametrize("name", OTHERS)
 def test_other_scenes_move(name: str, open_page: Open) -> None:
     """Something is drawn elsewhere at another place of the input, and nothing is no number."""
     found = open_page(name)

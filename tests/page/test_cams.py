@@ -18,6 +18,7 @@ def stands(page: Any, view: str) -> float:
     return float(slider(page, view).input_value())
 
 
+@pytest.mark.slow
 def test_a_cam_on_the_crank_turns_with_it(open_page: Open) -> None:
     """Its rise begins where the crank has turned by 230 degrees."""
     page = open_page("course-project").page
@@ -41,6 +42,7 @@ def test_buttons_lead_to_ends_of_phases_and_the_worst_angle(open_page: Open) -> 
     assert float(told[4:-1]) == pytest.approx(float(value.split("°")[0]), rel=0.01)
 
 
+@pytest.mark.slow
 def test_a_cam_is_turned_by_hand(open_page: Open) -> None:
     page = open_page("cam-flat").page
     box = page.locator("[data-view=cam_profile] [data-body=cam]").bounding_box()
@@ -61,7 +63,8 @@ LEGS = """() => [[...document.querySelectorAll(".view .layer .leg")]].map((legs)
 }).length])[0]"""
 
 
-@pytest.mark.parametrize("name", ["cam", pytest.param("cam-rocker-optimum", marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["cam", "cam-rocker-optimum"])
 def test_legs_of_the_pressure_angle_end_in_sight(name: str, open_page: Open) -> None:
     page = open_page(name).page
     for at in range(0, 360, 15):

@@ -64,6 +64,7 @@ def test_a_click_turns_the_crank_there(open_page: Open) -> None:
         assert re.search(rf"nearest solved position, φ = {along[row]:.4g}°", found.told)
 
 
+@pytest.mark.slow
 def test_a_diagram_is_followed_by_the_pointer_that_is_held(open_page: Open) -> None:
     found = open_page("shaper")
     plane = found.page.locator('.chart[data-column="kinematics.S_D"] > svg')
@@ -98,6 +99,7 @@ def test_any_column_can_be_shown(name: str, open_page: Open) -> None:
         assert differences.min() <= ERROR * np.abs(values[near]).max() + 1e-7 * largest, one
 
 
+@pytest.mark.slow
 def test_diagrams_are_added_once_and_taken_away(open_page: Open) -> None:
     found = open_page("shaper")
     charts = found.page.locator(".chart")
@@ -109,6 +111,7 @@ def test_diagrams_are_added_once_and_taken_away(open_page: Open) -> None:
     assert charts.count() == count
 
 
+@pytest.mark.slow
 def test_a_result_leads_to_its_diagram(open_page: Open) -> None:
     found = open_page("shaper")
     row = found.page.locator('[data-fact="forces.R_A_max"]')
@@ -118,6 +121,7 @@ def test_a_result_leads_to_its_diagram(open_page: Open) -> None:
     assert found.page.locator('.chart[data-column="forces.R_A"]').count() == 1
 
 
+@pytest.mark.slow
 def test_a_value_is_copied(open_page: Open) -> None:
     found = open_page("shaper", permissions=["clipboard-read", "clipboard-write"])
     copy = found.page.locator('.chart[data-column="kinematics.S_D"] button.value')
@@ -141,6 +145,7 @@ def test_results_are_found_by_a_word(open_page: Open) -> None:
     assert not found.page.get_by_text("nothing is found").is_visible()
 
 
+@pytest.mark.slow
 def test_rows_of_tables_and_warnings_are_found(written: Written, open_page: Open, tmp_path: Path) -> None:
     """In both languages; of a table the other rows are hidden, and the whole where none is left."""
 
@@ -167,6 +172,7 @@ def test_rows_of_tables_and_warnings_are_found(written: Written, open_page: Open
     assert page.locator(".warning:visible").count() == page.locator(".warning").count() > 2
 
 
+@pytest.mark.slow
 def test_a_diagram_that_is_added_comes_into_sight(open_page: Open) -> None:
     found = open_page("shaper", size=(900, 700))
     found.page.locator('details[data-stage="forces"]').evaluate("part => { part.open = true; }")
@@ -176,6 +182,7 @@ def test_a_diagram_that_is_added_comes_into_sight(open_page: Open) -> None:
     assert box["y"] + box["height"] <= 701
 
 
+@pytest.mark.slow
 def test_a_search_that_is_cleared_leaves_stages_as_they_were(open_page: Open) -> None:
     page = open_page("shaper").page
     unfolded = "() => [...document.querySelectorAll('details.stage')].map((each) => each.open)"
@@ -190,6 +197,7 @@ def test_a_search_that_is_cleared_leaves_stages_as_they_were(open_page: Open) ->
         assert page.evaluate(unfolded) == before
 
 
+@pytest.mark.slow
 def test_keys_move_the_input_in_a_diagram(open_page: Open) -> None:
     found = open_page("shaper")
     keys = found.page.keyboard
@@ -204,6 +212,7 @@ def test_keys_move_the_input_in_a_diagram(open_page: Open) -> None:
     assert found.at == 0
 
 
+@pytest.mark.slow
 def test_what_no_key_moves_takes_no_focus(open_page: Open) -> None:
     page = open_page("pair-blocking").page
     page.locator(".adding select").select_option("blocking/no undercut.x2")  # a list
@@ -212,6 +221,7 @@ def test_what_no_key_moves_takes_no_focus(open_page: Open) -> None:
     assert plane.get_attribute("role") == "img"
 
 
+@pytest.mark.slow
 def test_a_diagram_that_is_taken_away_is_drawn_no_more(open_page: Open) -> None:
     found = open_page("shaper")
     found.page.evaluate(
@@ -229,6 +239,7 @@ def test_a_diagram_that_is_taken_away_is_drawn_no_more(open_page: Open) -> None:
     assert found.page.evaluate("() => new Promise((done) => setTimeout(() => done(window.changes), 50))") == 0
 
 
+@pytest.mark.slow
 def test_beyond_its_rows_a_diagram_has_no_value(written: Written, open_page: Open, tmp_path: Path) -> None:
     def halved(content: Any) -> None:
         for stage in content["scenes"][0]["stages"]:
@@ -246,6 +257,7 @@ def test_beyond_its_rows_a_diagram_has_no_value(written: Written, open_page: Ope
         assert card.locator(".cursor:not(.lost)").count() == known
 
 
+@pytest.mark.slow
 def test_an_axis_may_end_at_nothing(written: Written, open_page: Open, tmp_path: Path) -> None:
     def before(content: Any) -> None:
         [stage] = content["scenes"][0]["stages"][-1:]
@@ -259,6 +271,7 @@ def test_an_axis_may_end_at_nothing(written: Written, open_page: Open, tmp_path:
     assert float(texts.last.get_attribute("x")) == pytest.approx(float(view[2]) - RIGHT)
 
 
+@pytest.mark.slow
 def test_a_diagram_overlays_what_is_alike_in_its_whole_length(open_page: Open, tmp_path: Path) -> None:
     """The other variant goes twice as far; then its values are in another unit, then over something else."""
     file = tmp_path / "two.html"
@@ -303,6 +316,7 @@ APART = """() => [...document.querySelectorAll(".chart")].flatMap((chart) => {
 })"""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["cam", "shaper", "crane-luffing"])
 def test_values_of_extremes_stand_beside_the_curve(name: str, open_page: Open) -> None:
     found = open_page(name).page.evaluate(APART)
@@ -310,12 +324,14 @@ def test_values_of_extremes_stand_beside_the_curve(name: str, open_page: Open) -
     assert [each for each in found if each[2]] == []
 
 
+@pytest.mark.slow
 def test_what_has_no_columns_asks_for_no_diagram(open_page: Open) -> None:
     page = open_page("dyad").page
     assert not page.get_by_label("Add a diagram").is_visible()
     assert page.get_by_role("searchbox").is_visible()
 
 
+@pytest.mark.slow
 def test_a_first_diagram_is_a_curve(open_page: Open) -> None:
     """Neither a straight line nor what rounding leaves."""
     for name, shown in (("pair-rack", ["pair.theta1"]), ("synth-dwell", ["synthesis.theta"])):
@@ -323,6 +339,7 @@ def test_a_first_diagram_is_a_curve(open_page: Open) -> None:
         assert charts == shown
 
 
+@pytest.mark.slow
 def test_long_numbers_of_an_axis_are_whole(written: Written, open_page: Open, tmp_path: Path) -> None:
     def tiny(content: Any) -> None:
         [stage] = [each for each in content["scenes"][0]["stages"] if each["name"] == "kinematics"]
@@ -334,6 +351,7 @@ def test_long_numbers_of_an_axis_are_whole(written: Written, open_page: Open, tm
     assert min(ends) >= 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "stage", "course", "along", "names"),
     [
@@ -363,6 +381,7 @@ def test_courses_of_one_table_have_diagrams_of_their_own(
         assert np.allclose(block[at : at + count], true, rtol=1e-6, atol=1e-9 * np.abs(true).max())
 
 
+@pytest.mark.slow
 def test_a_resonance_curve_below_resonance_is_over_the_speed(written: Written) -> None:
     """There amplitudes grow with it, one way as it goes itself."""
     content, block = contents(written("vibratory-device", 'vibrator.curve={ from = "50 rpm", to = "150 rpm" }'))
@@ -373,6 +392,7 @@ def test_a_resonance_curve_below_resonance_is_over_the_speed(written: Written) -
     assert found["rows"]["header"] == "omega[rad/s]"
 
 
+@pytest.mark.slow
 def test_a_course_is_known_by_its_label(open_page: Open, tmp_path: Path) -> None:
     """The second one of one machine is none of the other: neither overlaid nor taken for it."""
     file = tmp_path / "two.html"
@@ -404,6 +424,7 @@ def test_arrows_and_values_are_of_the_same_rows(tmp_path: Path) -> None:
         assert (block[each["values"][0] :][:count] == block[at : at + count]).all()
 
 
+@pytest.mark.slow
 def test_a_number_without_a_unit_has_none(open_page: Open) -> None:
     found = open_page("shaper")
     found.page.locator(".adding select").select_option("forces.virtual")
@@ -411,6 +432,7 @@ def test_a_number_without_a_unit_has_none(open_page: Open) -> None:
     assert re.fullmatch(r"−?[\d.]+(·10\S+)?", value)
 
 
+@pytest.mark.slow
 def test_numbers_along_an_axis_are_seen_whole(written: Written, open_page: Open, tmp_path: Path) -> None:
     def listed(content: Any) -> None:
         for stage in content["scenes"][0]["stages"]:
@@ -428,6 +450,7 @@ def test_numbers_along_an_axis_are_seen_whole(written: Written, open_page: Open,
     assert found.page.evaluate(beyond) == []
 
 
+@pytest.mark.slow
 def test_a_result_of_another_kind_leads_to_no_diagram(open_page: Open) -> None:
     """Whether a torque is assumed is no torque; where it is largest is told beside how large it is."""
     rows = open_page("gears-ravigneaux").page
@@ -437,6 +460,7 @@ def test_a_result_of_another_kind_leads_to_no_diagram(open_page: Open) -> None:
     assert rows.locator('[data-fact="forces.R_A_max_at_phi"] .show').count() == 1
 
 
+@pytest.mark.slow
 def test_where_nothing_moves_a_diagram_is_read_by_hand(open_page: Open) -> None:
     """Of a resonance curve and a start: a click and keys show values; diagrams of one course go together."""
     page = open_page("vibratory-device").page

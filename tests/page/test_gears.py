@@ -31,6 +31,7 @@ def turned(view: Any, begin: float, end: float) -> dict[str, float]:
     return {name: math.remainder(after[name] - before[name], 2 * math.pi) for name in before}
 
 
+@pytest.mark.slow
 def test_members_of_a_train_turn_at_their_true_speeds(open_page: Open) -> None:
     result = run(tmmcalc.load_spec(CONFIGS / "gears-ravigneaux.toml"), target=["gearing"]).results["gearing"]
     speeds = {name: result.motion.speed(name) for name in result.motion.members}

@@ -45,6 +45,7 @@ def test_the_place_is_kept_by_its_value(pairs: Path, open_page: Open) -> None:
     assert found.at == pytest.approx(300, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_diagrams_are_kept_that_a_variant_lacks(pairs: Path, open_page: Open) -> None:
     found = open_page(pairs)
     found.page.locator(".adding select").select_option("kinematics.omega_3")
@@ -62,6 +63,7 @@ def test_diagrams_are_kept_that_a_variant_lacks(pairs: Path, open_page: Open) ->
     assert columns(found) == []
 
 
+@pytest.mark.slow
 def test_ticks_speed_details_and_search_are_kept(pairs: Path, open_page: Open) -> None:
     found = open_page(pairs)
     page = found.page
@@ -84,6 +86,7 @@ def test_ticks_speed_details_and_search_are_kept(pairs: Path, open_page: Open) -
     assert page.locator("tr[data-fact]:visible").count() == rows
 
 
+@pytest.mark.slow
 def test_the_place_in_a_diagram_that_nothing_moves_along_is_kept(open_page: Open, tmp_path: Path) -> None:
     file = tmp_path / "two.html"
     write(CONFIGS / "vibratory-device.toml", file, str(CONFIGS / "vibratory-device.toml"))
@@ -100,6 +103,7 @@ def test_the_place_in_a_diagram_that_nothing_moves_along_is_kept(open_page: Open
     assert value.inner_text() == told
 
 
+@pytest.mark.slow
 def test_the_point_of_a_trial_is_kept(open_page: Open, tmp_path: Path) -> None:
     """Until the button brings it back: then every variant has its own again."""
     file = tmp_path / "two.html"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from page.conftest import Open
 from page.scenes import CONFIGS, solved
@@ -30,7 +31,7 @@ VECTORS = """(name) => {
 }"""
 
 
-@pytest.mark.parametrize("layer", ["velocity", "acceleration", "reaction"])
+@sparing("layer", ["velocity", "acceleration", "reaction"], every=3)
 def test_vectors_are_drawn_to_the_scale_that_is_told(layer: str, open_page: Open) -> None:
     found = open_page("shaper")
     box = found.page.locator(f"[data-view=kinematics] input[name={layer}]")
@@ -53,6 +54,7 @@ def test_vectors_are_drawn_to_the_scale_that_is_told(layer: str, open_page: Open
     assert drawn >= 8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("layer", ["given", "inertia"])
 def test_weights_and_forces_of_inertia_are_drawn_to_scale(layer: str, open_page: Open) -> None:
     """Weights as they are given, forces of inertia against the accelerations that the kinematics finds."""
@@ -80,6 +82,7 @@ def test_weights_and_forces_of_inertia_are_drawn_to_scale(layer: str, open_page:
     assert found.page.locator(f"[data-layer={layer}] line:visible").count() == 0
 
 
+@pytest.mark.slow
 def test_what_is_not_wanted_is_hidden(open_page: Open) -> None:
     found = open_page("shaper")
     for name, shown in (
@@ -99,6 +102,7 @@ def test_what_is_not_wanted_is_hidden(open_page: Open) -> None:
         assert parts.count() == 0, name
 
 
+@pytest.mark.slow
 def test_plans_are_closed_figures_at_every_position(open_page: Open) -> None:
     found = open_page("shaper")
     part = found.page.locator("details.plans")
@@ -135,6 +139,7 @@ HEADS = """(where) => [...document.querySelectorAll(`${where}:not(.lost)`)].map(
 })"""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "where",
     [".layer[data-layer=velocity] > line", ".plan .edge:not(.arm, .turned) line"],
@@ -176,9 +181,10 @@ def within(box: list[float], line: list[float]) -> bool:
     return bool(((x > left) & (x < right) & (y > top) & (y < bottom)).any())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "least"),
-    [("shaper", 4.0), *(pytest.param(each, 4.0, marks=pytest.mark.slow) for each in ("press", "class-four"))],
+    [("shaper", 4.0), ("press", 4.0), ("class-four", 4.0)],
 )
 def test_signs_of_plans_lie_on_nothing(name: str, least: float, open_page: Open) -> None:
     """On no other sign, no vector, no corner; ``least`` is how many there are in the mean."""

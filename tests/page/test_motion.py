@@ -45,9 +45,7 @@ def compared(found: Opened, name: str, inputs: list[float], changed: tuple[str, 
     return Fit(*zip(*both, strict=True))
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=() if n in ("shaper", "tipper") else pytest.mark.slow) for n in MOVING]
-)
+@pytest.mark.parametrize("name", [pytest.param(n, marks=() if n == "shaper" else pytest.mark.slow) for n in MOVING])
 def test_points_are_where_the_kinematics_finds_them(name: str, open_page: Open) -> None:
     """Between solved positions too, and both bodies of a pair carry its pin to one place."""
     found = open_page(name)
@@ -116,7 +114,8 @@ def test_the_crank_follows_the_mouse(name: str, open_page: Open) -> None:
     assert fit.error < NEAR * fit.size
 
 
-@pytest.mark.parametrize("name", ["hydraulic-lift", pytest.param("scissor-lift", marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["hydraulic-lift", "scissor-lift"])
 def test_a_driven_slider_follows_the_mouse_to_its_ends(name: str, open_page: Open) -> None:
     found = open_page(name)
     spec = load_spec(CONFIGS / f"{name}.toml")
@@ -142,6 +141,7 @@ def test_a_driven_slider_follows_the_mouse_to_its_ends(name: str, open_page: Ope
     mouse.up()
 
 
+@pytest.mark.slow
 def test_any_link_is_dragged(open_page: Open) -> None:
     """The rocker of the four-bar linkage leads the crank."""
     found = open_page("four-bar")
@@ -194,6 +194,7 @@ def test_keys_turn_step_play_and_return(open_page: Open) -> None:
     assert found.at == pytest.approx(stopped + 1)
 
 
+@pytest.mark.slow
 def test_buttons_step_by_the_positions_of_the_spec(open_page: Open) -> None:
     found = open_page("shaper")
     on = found.page.get_by_role("button", name="On one position")
@@ -225,6 +226,7 @@ PLAYED = """() => new Promise((done) => {
 })"""
 
 
+@pytest.mark.slow
 def test_speed_is_what_is_chosen(open_page: Open) -> None:
     """At speed 1 a turn takes four seconds."""
     found = open_page("four-bar")
@@ -235,6 +237,7 @@ def test_speed_is_what_is_chosen(open_page: Open) -> None:
         assert went == pytest.approx(360 * speed * time / 4000, rel=0.01)
 
 
+@pytest.mark.slow
 def test_a_crank_that_cannot_go_round_says_where_it_closes_no_more(open_page: Open) -> None:
     """It closes from -3.6 to 56.4 deg; its travel is 50 deg."""
     found = open_page("four-bar", *ROCKER)
@@ -266,12 +269,13 @@ def test_a_crank_that_cannot_go_round_says_where_it_closes_no_more(open_page: Op
         assert bool(words) == bool(found.refused)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "changed"),
     [
         ("shaper", ('mechanism.grid.span="90 deg"',)),
-        pytest.param("hydraulic-lift", (), marks=pytest.mark.slow),
-        pytest.param("tipper", (), marks=pytest.mark.slow),
+        ("hydraulic-lift", ()),
+        ("tipper", ()),
     ],
 )
 def test_beyond_its_travel_an_input_is_refused(name: str, changed: tuple[str, ...], open_page: Open) -> None:

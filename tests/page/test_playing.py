@@ -37,6 +37,7 @@ def test_one_plays_in_a_page(open_page: Open) -> None:
     assert pauses.count() == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("hand", ["diagram", "Home", "other view", "other step"])
 def test_a_hand_stops_what_plays(hand: str, open_page: Open) -> None:
     page = open_page(NAME).page
@@ -58,6 +59,7 @@ def test_a_hand_stops_what_plays(hand: str, open_page: Open) -> None:
     assert place(page, "cam_profile") == stopped
 
 
+@pytest.mark.slow
 def test_an_end_of_one_view_is_an_end_of_the_other(written: Written, open_page: Open, tmp_path: Path) -> None:
     """The cam goes no whole turn here, so the plane that goes with it cannot leave it behind."""
 
@@ -74,6 +76,7 @@ def test_an_end_of_one_view_is_an_end_of_the_other(written: Written, open_page: 
         assert place(page, "cam_region") == pytest.approx(true, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_what_has_no_positions_has_no_buttons_for_them(written: Written, open_page: Open, tmp_path: Path) -> None:
     def bare(content: Any) -> None:
         for view in content["scenes"][0]["views"]:

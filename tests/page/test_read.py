@@ -105,6 +105,7 @@ def unread(browser: Any, files: Iterable[Path]) -> dict[str, list[str]]:
     return {key: where for key, where in sent.items() if key not in asked and not NAMES.search(key)}
 
 
+@pytest.mark.slow
 def test_whatever_is_sent_is_read(browser: Any, written: Written, tmp_path: Path) -> None:
     several = tmp_path / "several.html"
     write(CONFIGS / "four-bar.toml", several, str(CONFIGS / "crank-slider.toml"))

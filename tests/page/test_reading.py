@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from sparing import sparing
 
 from page.altered import altered
 from page.conftest import Open, Written
@@ -86,6 +87,7 @@ def test_the_language_is_switched(name: str, open_page: Open) -> None:
     assert page.evaluate(CONTROLS) == english
 
 
+@pytest.mark.slow
 def test_variants_of_a_sweep_are_named_in_the_language(open_page: Open, tmp_path: Path) -> None:
     spec, table, file = CONFIGS / "four-bar.toml", tmp_path / "my.csv", tmp_path / "my.html"
     key = "mechanism.links[id=1].points.A[0]"
@@ -105,6 +107,7 @@ def test_variants_of_a_sweep_are_named_in_the_language(open_page: Open, tmp_path
     assert [text for text in said if LATIN.search(text)] == []
 
 
+@pytest.mark.slow
 def test_languages_call_themselves_by_their_own_names(open_page: Open) -> None:
     page = open_page("extra-tie-down").page
     assert page.locator("select[name=language] option").all_text_contents() == ["English", "Українська"]
@@ -127,6 +130,7 @@ def test_light_and_dark_can_be_read(scheme: str, open_page: Open) -> None:
         button.click()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("motion", ["reduce", "no-preference"])
 def test_it_starts_still_and_pause_is_in_sight(size: tuple[int, int], motion: str, open_page: Open) -> None:
@@ -157,7 +161,7 @@ def _named(page: Any) -> list[tuple[str, str]]:
     return found
 
 
-@pytest.mark.parametrize("name", ["shaper", "extra-tie-down", pytest.param("press", marks=pytest.mark.slow)])
+@sparing("name", ["extra-tie-down", "shaper", "press"], every=3)
 def test_everything_has_a_name_for_a_screen_reader(name: str, open_page: Open) -> None:
     found = open_page(name)
     page = found.page
@@ -215,6 +219,7 @@ def test_print_leaves_the_controls_out(open_page: Open) -> None:
     assert page.locator(".told:visible").count() == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_print_has_the_colours_of_paper(scheme: str, open_page: Open) -> None:
     """Whatever is chosen on the screen, and by the system."""
@@ -235,6 +240,7 @@ def test_print_has_the_colours_of_paper(scheme: str, open_page: Open) -> None:
         button.click()
 
 
+@pytest.mark.slow
 def test_what_is_folded_is_printed_and_folded_again(open_page: Open) -> None:
     page = open_page("shaper").page
     folded = page.locator("details:not([open])")
@@ -250,6 +256,7 @@ def test_what_is_folded_is_printed_and_folded_again(open_page: Open) -> None:
     assert folded.count() == before
 
 
+@pytest.mark.slow
 def test_print_tells_where_the_point_of_shifts_is(open_page: Open) -> None:
     page = open_page("pair-blocking").page
     page.emulate_media(media="print")
@@ -288,6 +295,7 @@ def test_results_are_told_in_words(open_page: Open) -> None:
     assert not page.locator("[data-fact='structure.formula']").is_visible()
 
 
+@pytest.mark.slow
 def test_the_page_is_lit_as_the_system_is_until_it_is_chosen(open_page: Open) -> None:
     page = open_page("extra-tie-down", color_scheme="light").page
     root = page.locator(":root")
@@ -301,6 +309,7 @@ def test_the_page_is_lit_as_the_system_is_until_it_is_chosen(open_page: Open) ->
         assert root.get_attribute("data-theme") == "dark"
 
 
+@pytest.mark.slow
 def test_numbers_keep_their_powers_and_counts_their_digits(written: Written, open_page: Open, tmp_path: Path) -> None:
     numbers = {8.50541e-10: "8.50541·10⁻¹⁰", -3e20: "−3·10²⁰", 1.25e-100: "1.25·10⁻¹⁰⁰", 120.0: "120", 0.5: "0.5"}
 
@@ -316,6 +325,7 @@ def test_numbers_keep_their_powers_and_counts_their_digits(written: Written, ope
     assert found[:7] == [*(f"{text} m" for text in numbers.values()), "78074900", "−1/4"]
 
 
+@pytest.mark.slow
 def test_a_stage_that_failed_says_why(open_page: Open, tmp_path: Path) -> None:
     file = tmp_path / "failed.html"
     spec = CONFIGS / "extreme" / "never-assembles.toml"
@@ -328,6 +338,7 @@ def test_a_stage_that_failed_says_why(open_page: Open, tmp_path: Path) -> None:
     assert page.locator('[data-fact="structure.mobility"]').is_visible()
 
 
+@pytest.mark.slow
 def test_texts_have_the_signs_of_print(open_page: Open) -> None:
     page = open_page("geared-press").page
     warnings = " ".join(page.locator(".warning").all_inner_texts())
@@ -335,6 +346,7 @@ def test_texts_have_the_signs_of_print(open_page: Open) -> None:
     assert not re.search(r"N\*m|\d deg\b|->", page.locator(".results").inner_text())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "stage"), [("cam-oscillating", "cam_strength"), ("pair-blocking", "pair"), ("rotor", "balance")]
 )
@@ -364,6 +376,7 @@ def test_values_in_tables_are_written_as_elsewhere() -> None:
     assert told[0] == ["β = −30°", ["0.000012", "0,000012"], ["2.5 mm", "2,5 мм"], "1.2.3"]
 
 
+@pytest.mark.slow
 def test_what_moves_stays_beside_what_is_read(open_page: Open) -> None:
     """All of it where the window has room, else its end; on a phone it goes with the page."""
     seen = """(y) => {

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from sparing import sparing
 
 from page.conftest import Open
 from page.opened import opened
@@ -26,7 +27,7 @@ HOSTILE = (
 )
 
 
-@pytest.mark.parametrize("title", HOSTILE)
+@sparing("title", HOSTILE, every=len(HOSTILE))
 def test_a_hostile_title_is_shown(title: str, open_page: Open, tmp_path: Path) -> None:
     """In the heading, the name of the window and the text of the spec; nothing of it runs."""
     quoted = "".join(f"\\U{ord(sign):08x}" if sign in '"\\' or not sign.isprintable() else sign for sign in title)
@@ -94,7 +95,7 @@ CODES = (
 )
 
 
-@pytest.mark.parametrize("way", WAYS)
+@sparing("way", WAYS, every=len(WAYS))
 def test_no_way_leads_to_the_network(way: str, browser: Any, server: tuple[str, list[str]], written: Any) -> None:
     found = opened(browser, written("extra-tie-down"), (900, 700))
     address, asked = server
@@ -106,7 +107,7 @@ def test_no_way_leads_to_the_network(way: str, browser: Any, server: tuple[str, 
     found.page.context.close()
 
 
-@pytest.mark.parametrize("code", CODES)
+@sparing("code", CODES, every=len(CODES))
 def test_no_text_becomes_code(code: str, browser: Any, written: Any) -> None:
     """Run after the call of the test itself, which a browser lets evaluate what it will."""
     found = opened(browser, written("extra-tie-down"), (900, 700))

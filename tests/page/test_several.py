@@ -53,6 +53,7 @@ def test_the_swept_key_is_a_slider(swept: Path, open_page: Open) -> None:
     assert len(set(seen)) == len(LENGTHS)
 
 
+@pytest.mark.slow
 def test_the_slider_is_dragged_over_all_variants(swept: Path, open_page: Open) -> None:
     """By one hand that does not let go; keys go on from there."""
     found = open_page(swept)
@@ -71,6 +72,7 @@ def test_the_slider_is_dragged_over_all_variants(swept: Path, open_page: Open) -
     assert choice.input_value() == "1"
 
 
+@pytest.mark.slow
 def test_other_variants_are_ghosts(swept: Path, open_page: Open) -> None:
     """They stand where the same variant does when it is shown itself, to the same scale."""
     found = open_page(swept)
@@ -90,6 +92,7 @@ def test_other_variants_are_ghosts(swept: Path, open_page: Open) -> None:
     assert not found.page.locator(".ghosts").is_visible()
 
 
+@pytest.mark.slow
 def test_what_plays_ends_when_another_is_chosen(swept: Path, open_page: Open) -> None:
     found = open_page(swept)
     found.page.get_by_role("button", name="Play").click()
@@ -107,6 +110,7 @@ def test_what_plays_ends_when_another_is_chosen(swept: Path, open_page: Open) ->
     assert asked <= 1
 
 
+@pytest.mark.slow
 def test_several_specs_are_overlaid(open_page: Open, tmp_path: Path) -> None:
     file = tmp_path / "several.html"
     write(CONFIGS / "four-bar.toml", file, str(CONFIGS / "crank-slider.toml"))
@@ -163,6 +167,7 @@ def test_faults_of_all_variants_are_said(
     assert "error: variant 6: " in told
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "view"), [("hydraulic-lift", "kinematics"), ("manipulator", "manipulator")])
 def test_views_over_a_way_or_the_time_are_compared_too(name: str, view: str, open_page: Open, tmp_path: Path) -> None:
     """Their units are said in two languages; the place is kept, the machine that is the same stands there."""
@@ -180,6 +185,7 @@ def test_views_over_a_way_or_the_time_are_compared_too(name: str, view: str, ope
     assert found.page.locator(f"[data-view={view}] .ghost:not(.lost)").count() == 1
 
 
+@pytest.mark.slow
 def test_specs_of_one_name_are_told_apart_in_both_languages(open_page: Open, tmp_path: Path) -> None:
     """By their folders; that it is a variant is said in the language, what it is called is no word of it."""
     files = [tmp_path / folder / "my.toml" for folder in ("one", "two")]

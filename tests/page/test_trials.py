@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from gears.outlines import far, followed
 from numpy.typing import NDArray
+from sparing import sparing
 
 from page.conftest import Open
 from page.opened import Opened
@@ -65,7 +66,7 @@ def outlines(found: Opened, pitch: complex, module: float) -> list[Plane]:
     return lines
 
 
-@pytest.mark.parametrize("way", [(0, 0), (-24, -13), (31, -12)])
+@sparing("way", [(0, 0), (-24, -13), (31, -12)], every=3)
 def test_teeth_are_drawn_as_the_program_has_them(way: tuple[int, int], open_page: Open) -> None:
     """To a micrometre where the chosen pair, an undercut one and one that cannot work stand."""
     found = open_page(NAME)
@@ -99,6 +100,7 @@ def test_the_point_is_dragged_and_teeth_follow(open_page: Open) -> None:
     assert not any("NaN" in path for path in seen)
 
 
+@pytest.mark.slow
 def test_plane_and_sketch_follow_the_width_of_the_window(open_page: Open) -> None:
     """The point stays where it is, and keys move it on."""
     found = open_page(NAME)
@@ -115,6 +117,7 @@ def test_plane_and_sketch_follow_the_width_of_the_window(open_page: Open) -> Non
     assert number(told.inner_text().split("= ")[1]) == pytest.approx(shifts[0] + STEP, abs=1e-4)
 
 
+@pytest.mark.slow
 def test_keys_with_alt_or_ctrl_belong_to_the_browser(open_page: Open) -> None:
     page = open_page(NAME).page
     plane, told = page.locator(f"{TRIAL} .plane"), page.locator(f"{TRIAL} .told")
@@ -129,6 +132,7 @@ def test_keys_with_alt_or_ctrl_belong_to_the_browser(open_page: Open) -> None:
     assert told.inner_text() == before
 
 
+@pytest.mark.slow
 def test_named_points_are_reached_by_keys(open_page: Open) -> None:
     page = open_page(NAME).page
     names = page.locator(f"{TRIAL} .stops button")
@@ -140,6 +144,7 @@ def test_named_points_are_reached_by_keys(open_page: Open) -> None:
     assert number(said.split("= ")[2]) == pytest.approx(0.11346, abs=1e-4)
 
 
+@pytest.mark.slow
 def test_contacts_lie_on_the_line_of_action(open_page: Open) -> None:
     """As many as the pair has at the pitch point, between the ends of the contact."""
     found = open_page(NAME)
@@ -158,6 +163,7 @@ def test_contacts_lie_on_the_line_of_action(open_page: Open) -> None:
         assert mine == pytest.approx(complex(380 + scale * other.real, HEIGHT / 2 - scale * other.imag), abs=2e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("language", "said"), [("en", "there is no such pair"), ("uk", "такої пари немає")])
 def test_where_there_is_no_pair_it_is_said_why(language: str, said: str, tmp_path: Path, open_page: Open) -> None:
     """The sum of shifts of this pair is too small in a corner of its plane; within it teeth come back."""
@@ -179,6 +185,7 @@ def test_where_there_is_no_pair_it_is_said_why(language: str, said: str, tmp_pat
     assert page.locator(".sketch .gear").first.is_visible()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [(1500, 1000), (900, 1100), (390, 800)])
 def test_plane_and_teeth_are_in_sight_together(size: tuple[int, int], open_page: Open) -> None:
     found = open_page(NAME, size=size)
@@ -192,6 +199,7 @@ def test_plane_and_teeth_are_in_sight_together(size: tuple[int, int], open_page:
     assert module > 35
 
 
+@pytest.mark.slow
 def test_parts_of_the_contour_that_lie_apart_are_what_they_are(tmp_path: Path, open_page: Open) -> None:
     """One without undercut is no tolerated one, and both are said to lie apart."""
     spec = tmp_path / "pair.toml"

@@ -177,6 +177,7 @@ def loaded_by(spec: str) -> set[str]:
     return set(done.stdout.split())
 
 
+@pytest.mark.slow
 def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
     unneeded = {
         "difflib",
@@ -192,6 +193,7 @@ def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
     assert not unneeded & loaded_by("[pair]\nteeth = [14, 27]\nmodule = 0.005\n")
 
 
+@pytest.mark.slow
 def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
     late = [entry for name, entry in TABLES.items() if name in (*LATE, *LATER, "constraints", "feasibility", "sheets")]
     names = {f"{entry.home}.tables.{entry.name}" for entry in late}
@@ -207,6 +209,7 @@ def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
     assert names & loaded_by(TORQUE) >= alone
 
 
+@pytest.mark.slow
 def test_files_are_read_only_when_a_spec_names_one(shaper: str) -> None:
     reader = "tmmcalc.project.files"
     load = "\n[[loads]]\nlink = 5\npoint = [0, 0]\n"

@@ -68,23 +68,27 @@ def said() -> dict[str, list[tuple[str, ast.expr]]]:
         rows = found.setdefault(str(file.relative_to(ROOT)), [])
         outer = scope_of(tree, {}, whole=False)
         rows += [("level", each) for each in ast.walk(tree) if isinstance(each, ast.Constant) and levelled(each.value)]
-        for function in ast.walk(tree):
-            if isinstance(function, ast.FunctionDef):
+        for function in (each for each in ast.walk(tree) if isinstance(each, ast.FunctionDef)):
+            if calls := [each for each in ast.walk(function) if isinstance(each, ast.Call) and maker_of(each)]:
                 scope = scope_of(function, outer)
-                rows += [row for call in ast.walk(function) if isinstance(call, ast.Call) for row in taken(call, scope)]
+                rows += [row for call in calls for row in taken(call, scope)]
     return found
 
 
+def maker_of(call: ast.Call) -> str:
+    """What makes a sentence in this call, or nothing."""
+    return call.func.id if isinstance(call.func, ast.Name) and call.func.id in MAKERS else ""
+
+
 def taken(call: ast.Call, scope: Scope) -> Iterator[tuple[str, ast.expr]]:
-    """The texts that a call makes a sentence of."""
-    maker = call.func.id if isinstance(call.func, ast.Name) else ""
-    for place in MAKERS.get(maker, ()):
+    """The texts that a call of a maker makes a sentence of."""
+    maker = maker_of(call)
+    for place in MAKERS[maker]:
         if place < len(call.args):
             yield from ((maker, text) for text in texts(call.args[place], scope))
-    if maker in MAKERS:
-        for word in call.keywords:
-            if maker == "Phrase" or word.arg in KEYS:
-                yield from ((f"{maker}.{word.arg}", text) for text in texts(word.value, scope))
+    for word in call.keywords:
+        if maker == "Phrase" or word.arg in KEYS:
+            yield from ((f"{maker}.{word.arg}", text) for text in texts(word.value, scope))
 
 
 def texts(found: ast.expr, scope: Scope, seen: frozenset[str] = frozenset()) -> Iterator[ast.expr]:

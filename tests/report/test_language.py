@@ -139,6 +139,7 @@ def vectors_of(within: ast.FunctionDef) -> Iterator[ast.expr]:
                     seen.add(said)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", OTHERS)
 def test_every_vector_of_the_notes_has_projections(language: str) -> None:
     """In English there are projections of any noun; in another language of those whose genitive is known."""
@@ -196,6 +197,7 @@ def given() -> tuple[frozenset[str], re.Pattern[str]]:
     return frozenset(constants), re.compile("|".join(sorted(forms)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", OTHERS)
 def test_every_name_is_one_that_the_program_gives(language: str) -> None:
     constants, forms = given()
@@ -205,8 +207,8 @@ def test_every_name_is_one_that_the_program_gives(language: str) -> None:
 
 def test_no_text_is_said_twice_for_its_translation() -> None:
     """No text stands beside itself as in ``{"crank": tr("crank")}``: what the theory says goes through `tr_name`."""
-    for file in ROOT.rglob("*.py"):
-        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+    for text, file in ((file.read_text(encoding="utf-8"), file) for file in ROOT.rglob("*.py")):
+        for node in ast.walk(ast.parse(text)) if "tr(" in text else ():
             if isinstance(node, ast.Dict):
                 for key, value in zip(node.keys, node.values, strict=True):
                     twice = isinstance(key, ast.Constant) and ast.unparse(value) == f"tr({key.value!r})"

@@ -129,6 +129,7 @@ def leaves(value: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[str |
         yield from leaves(item, (*path, key))
 
 
+@pytest.mark.slow
 @examples(400)
 @given(documents())
 def test_every_path_has_the_line_of_its_key(text: str) -> None:

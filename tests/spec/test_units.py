@@ -124,6 +124,7 @@ def test_si_string_and_bare_number_agree(number: float) -> None:
         assert parse(f"{number!r} kg", "mass") == parse(number, "mass") == number
 
 
+@pytest.mark.slow
 @given(st.text(max_size=20))
 def test_any_text_is_read_or_refused(text: str) -> None:
     message = ""

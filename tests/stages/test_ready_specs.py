@@ -8,14 +8,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from ready import SPECS
 
 import tmmcalc
 from tmmcalc.core.plan import plan
-from tmmcalc.project import templates
 
 from .independent import TURN, braked_angle, project, turned
 
-SPECS = {name: tmmcalc.load_spec(templates.folder() / f"{name}.toml") for name in templates.names() if "/" not in name}
 # a torque diagram has no links to solve beside the package: machine/stages/test_reduced_inertia.py
 RUNNING = {name: plan(spec).running for name, spec in SPECS.items() if spec.torque is None}
 

@@ -36,7 +36,7 @@ def done(name: str) -> RunResult:
 READY = [name for name in templates.names() if "/" not in name]
 
 
-@sparing("name", READY, every=12)
+@sparing("name", READY, every=12, first=2)
 def test_every_ready_spec_runs(name: str) -> None:
     result = done(name)
     assert result.outcomes

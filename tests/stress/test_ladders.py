@@ -44,7 +44,7 @@ def test_dead_point_of_a_crank_slider_is_a_crank_as_long_as_the_rod(monkeypatch:
         assert met.error < 1e-14 * (rung.condition or 0.0) ** 2
 
 
-@pytest.mark.parametrize("name", ["four-bar", "slotted-link"])
+@sparing("name", ["four-bar", "slotted-link"], every=2)
 def test_toward_a_dead_point_the_stage_tells_as_much_as_is_lost(name: str) -> None:
     """The twin differs in the last digits of its lengths, which the error estimate takes as exact."""
     track = [(rung, met) for rung, met in climbed(name, "dead-point").track("kinematics") if met.error is not None]

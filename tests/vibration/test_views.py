@@ -37,6 +37,7 @@ def test_factors_are_round(largest: float) -> None:
     assert factor == 1 or factor * largest <= SHARE * (1 + 1e-12) < 2.5 * factor * largest * (1 + 1e-12)
 
 
+@pytest.mark.slow
 def test_points_of_the_device_go_along_their_ellipses() -> None:
     view, result, bodies = shown("vibratory-device", "vibrator", vibrator)
     factor = float(view.note.rpartition(",")[2].partition(":")[0])
@@ -48,6 +49,7 @@ def test_points_of_the_device_go_along_their_ellipses() -> None:
         np.testing.assert_allclose(body.x.rates[1:-1], x[1:-1], atol=2e-3 * np.max(np.abs(x)) + 1e-12)
 
 
+@pytest.mark.slow
 def test_the_ring_keeps_in_its_plane_and_its_shape() -> None:
     """Opposite points of the ring move by x, y and a small turn: their middle is that of the ring."""
     view, _, bodies = shown("vibratory-device", "vibrator", vibrator)

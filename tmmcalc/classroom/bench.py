@@ -36,58 +36,54 @@ class Bench:
         self.right = solved.outcomes
         self._alone = solved.alone
         self._known: dict[Key, tuple[Outcome | None, Any]] = {}
-        for name, stage in self._stages(self.spec).items():
+        self._own = _Asked(self.spec)
+        for name, stage in self._own.stages.items():
             if name in self.right:
-                key = self._key(stage, stage.inputs(self.spec), self.right, None)
-                self._known[key] = self.right[name], None
+                self._known[self._key(stage, self._own, self.right, None)] = self.right[name], None
 
-    def scene(self, spec: Any = None, amiss: Mapping[str, Amiss] = NONE) -> Scene:
+    def scene(self, spec: Any = None, amiss: Mapping[str, Amiss] = NONE, targets: Sequence[str] | None = None) -> Scene:
         """The scene of another spec (None: the right one), with functions in place of those of its stages.
 
-        A stage that comes to no result is left out, with those that need it. Raises `TmmError` where nothing can be
-        planned.
+        It goes up to ``targets``, None: those of the bench. A stage that comes to no result is left out, with those
+        that need it. Raises `TmmError` where nothing can be planned.
         """
-        spec = self.spec if spec is None else spec
-        stages, done = self._stages(spec), dict[str, Outcome]()
-        instead = {name: partial(wrong, self._own(stages[name])) for name, wrong in amiss.items()}
-        running = plan(spec, self.targets, STAGES).running
+        asked = self._own if spec is None or spec is self.spec else _Asked(spec)
+        done = dict[str, Outcome]()
+        instead = {name: partial(wrong, self._function(asked.stages[name])) for name, wrong in amiss.items()}
         lost = set[str]()
-        for name in running:
-            stage = stages[name]
+        for name in plan(asked.spec, self.targets if targets is None else targets, STAGES).running:
+            stage = asked.stages[name]
             if not lost.isdisjoint((*stage.needs, *stage.uses)):
                 lost.add(name)
                 continue
-            found = self._outcome(stage, spec, done, amiss.get(name), instead.get(name))
+            found = self._outcome(stage, asked, done, amiss.get(name), instead.get(name))
             if found is None:
                 lost.add(name)
             else:
                 done[name] = found
-        return Scene(spec, Results(done, self._alone), instead)
+        return Scene(asked.spec, Results(done, self._alone), instead)
 
     def unchanged(self, scene: Scene) -> bool:
-        """Whether all stages of a scene are those of the right solution."""
-        found = scene.results
+        """Whether all stages that a scene has are those of the right solution."""
+        found, right = scene.results, Results(self.right, self._alone)
         return scene.spec is self.spec and all(
-            name in found and found[name] is each.result for name, each in self.right.items() if name not in self._alone
+            name in right and found[name] is right[name] for name in found if name not in self._alone
         )
 
-    def _stages(self, spec: Any) -> dict[str, Stage]:
-        return of_scene(STAGES, spec)
-
     def _outcome(
-        self, stage: Stage, spec: Any, done: Mapping[str, Outcome], wrong: Amiss | None, instead: Any
+        self, stage: Stage, asked: _Asked, done: Mapping[str, Outcome], wrong: Amiss | None, instead: Any
     ) -> Outcome | None:
         """The outcome of a stage; None where it comes to none."""
         try:
-            inputs = stage.inputs(spec)
-            key = self._key(stage, inputs, done, wrong)
+            key = self._key(stage, asked, done, wrong)
             if key not in self._known:
+                inputs = asked.inputs(stage)[0]
                 self._known[key] = self._computed(stage, inputs, done, instead or stage.solved), (dict(done), wrong)
             return self._known[key][0]
         except Exception:  # inputs may be worked out, too
             return None
 
-    def _own(self, stage: Stage) -> Callable[..., Any]:
+    def _function(self, stage: Stage) -> Callable[..., Any]:
         """The function of a stage, which is not worked out again for what the right solution gives it."""
 
         def solve(*given: Any, **upstream: Any) -> Any:
@@ -104,7 +100,7 @@ class Bench:
             stage.name not in self._alone
             and own.keys() == upstream.keys()
             and all(upstream[name] is each for name, each in own.items())
-            and content_hash(given) == content_hash(arguments(stage.inputs(self.spec)))
+            and content_hash(given) == content_hash(arguments(self._own.inputs(stage)[0]))
         )
 
     def _computed(self, stage: Stage, inputs: Any, done: Mapping[str, Outcome], solve: Any) -> Outcome | None:
@@ -119,7 +115,22 @@ class Bench:
             return None
         return outcome
 
-    def _key(self, stage: Stage, inputs: Any, done: Mapping[str, Outcome], wrong: Amiss | None) -> Key:
+    def _key(self, stage: Stage, asked: _Asked, done: Mapping[str, Outcome], wrong: Amiss | None) -> Key:
         """What a stage reads, by the outcomes that it takes; they stay as long as the bench."""
         read = done if stage.every else {name: done[name] for name in stage.upstream(done)}
-        return stage.name, wrong, content_hash(inputs), tuple((name, id(each)) for name, each in read.items())
+        return stage.name, wrong, asked.inputs(stage)[1], tuple((name, id(each)) for name, each in read.items())
+
+
+class _Asked:
+    """A spec, with its stages and what they read of it, each found once."""
+
+    def __init__(self, spec: Any) -> None:
+        self.spec, self.stages = spec, of_scene(STAGES, spec)
+        self._inputs: dict[str, tuple[Any, str]] = {}
+
+    def inputs(self, stage: Stage) -> tuple[Any, str]:
+        """What a stage reads of the spec, and its hash."""
+        if stage.name not in self._inputs:
+            own = stage.inputs(self.spec)
+            self._inputs[stage.name] = own, content_hash(own)
+        return self._inputs[stage.name]

@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 
 Values = NDArray[np.floating[Any]]
 Pair = tuple[str, str]  # an item, and a mistake that gives the right answer of it, by their names
-Clashes = Callable[[Sequence[Candidate]], Mapping[int, Sequence[Pair]]]  # of candidates by their numbers
 Told = Callable[[int, str], None]  # variants that are chosen; what is being done
 
 LOT = 256  # candidates whose linkage and forces are judged at once
@@ -60,6 +59,21 @@ class Choice:
     least: float  # distance of two variants, as `apart` counts it; NaN of a single one
 
 
+class Sought(NamedTuple):
+    """Which clashes are sought when it is known which are not avoided: one of the others, the likeliest first."""
+
+    unavoided: tuple[Pair, ...]
+    counts: Mapping[str, int]  # of the probed candidates those of which a mistake gave a right answer that is avoided
+
+    def rank(self, mistake: str) -> int:
+        """The place of a mistake: those before that were met more often."""
+        return -self.counts.get(mistake, 0)
+
+
+Clashes = Callable[[Sequence[Candidate], Sought | None], Mapping[int, Sequence[Pair]]]
+"""Pairs of candidates by their numbers: of those that are sought one mistake's, if there are any; None: all."""
+
+
 class _Judged(NamedTuple):
     """A candidate and what is known of it, before it is compared with those that are chosen."""
 
@@ -85,7 +99,8 @@ class Chooser:
         told: Told = lambda done, words: None,
     ) -> None:
         self._judge, self._seed, self._first = judge, seed, tried
-        self._clashes, self._unavoided = clashes, None if unavoided is None else tuple(unavoided)
+        self._clashes = clashes
+        self._sought = None if unavoided is None else Sought(tuple(unavoided), {})
         self._journal, self._told = journal, told
         rows = [*journal.rows()] if journal is not None else []
         self._known = {row.point: row for row in rows if row.alone != CLASHES}
@@ -125,12 +140,13 @@ class Chooser:
                 break
         if len(chosen) < wanted:
             raise _scarce(len(chosen), wanted, refused, refusals)
-        return Choice(tuple(chosen), tried, dict(refused.most_common()), self._unavoided, self._least())
+        unavoided = None if self._sought is None else self._sought.unavoided
+        return Choice(tuple(chosen), tried, dict(refused.most_common()), unavoided, self._least())
 
     def _probed(self) -> Iterator[_Judged]:
         """All candidates, judged; which clashes are not avoided is found by the first good ones before."""
         every = self._judged()
-        if self._clashes is None or self._unavoided is not None:
+        if self._clashes is None or self._sought is not None:
             yield from every
             return
         first: list[_Judged] = []
@@ -142,7 +158,9 @@ class Chooser:
             if len(good) == PROBED:
                 break
         counts = Counter(pair for each in good for pair in {*each.pairs})
-        self._unavoided = tuple(sorted(pair for pair, count in counts.items() if count >= OFTEN * len(good)))
+        unavoided = tuple(sorted(pair for pair, count in counts.items() if count >= OFTEN * len(good)))
+        met = Counter(pair[1] for each in good for pair in {*each.pairs}.difference(unavoided))
+        self._sought = Sought(unavoided, met)
         yield from chain(first, every)
 
     def _decided(self, each: _Judged) -> tuple[Refusal | None, tuple[float, ...]]:
@@ -157,7 +175,10 @@ class Chooser:
         verdict = self._judge.verdict(each.row)
         if verdict.refusal is not None or self._clashes is None:
             return verdict.refusal, verdict.values
-        clash = next((pair for pair in each.pairs if pair not in (self._unavoided or ())), None)
+        sought = self._sought
+        assert sought is not None
+        others = [pair for pair in each.pairs if pair not in sought.unavoided]
+        clash = min(others, key=lambda pair: sought.rank(pair[1]), default=None)
         return (None if clash is None else demands.clashing(*clash)), verdict.values
 
     def _judged(self) -> Iterator[_Judged]:
@@ -219,7 +240,7 @@ class Chooser:
             return {}
         good = [each for each in candidates if self._judge.verdict(rows[each.number]).refusal is None]
         fresh = [each for each in good if each.number not in self._known_pairs]
-        for number, pairs in (self._clashes(fresh) if fresh else {}).items():
+        for number, pairs in (self._clashes(fresh, self._sought) if fresh else {}).items():
             self._known_pairs[number] = pairs
             if self._journal is not None:
                 self._journal.append([Row(number, OK, json.dumps([*pairs]), alone=CLASHES)])

@@ -37,6 +37,7 @@ from tmmcalc.naming.told import Told, one, told
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project.loader import Variants, read_text
 from tmmcalc.rooms import STAGES
+from tmmcalc.spec.rewrite import without
 from tmmcalc.spec.units import conversion
 
 if TYPE_CHECKING:
@@ -100,7 +101,8 @@ class Judge:
             Spread.of(item.name, floors.settled(each), float(self.table.spread), item.within / by)
             for item, each, by in zip(self.items, self.asked, self.factors, strict=True)
         )
-        self.frame = replace(frame, patterns=(*self._columns, GROWTH), targets=(), solver=SOLVER)
+        bare = without(frame.text, "class")  # it is checked once, and not again for each candidate
+        self.frame = replace(frame, text=bare, patterns=(*self._columns, GROWTH), targets=(), solver=SOLVER)
         grown = max(_growths(self.run), default=0.0)
         self._growth = DEAD if grown <= DEAD else ROOM * grown
         self._known = {*_warnings(self.run)}
@@ -232,7 +234,7 @@ def solve_whole(task: Task, places: Sequence[Place]) -> list[Row]:
 def _whole(task: Task, variants: Variants, point: int, overrides: Sequence[str]) -> Row:
     at = ["spec"]
     try:
-        result = run(variants.spec(overrides), on_start=at.append)
+        result = run(variants.spec(overrides), on_start=at.append, by_name=True)
         scene = Scene(result.spec, result.results)
         names = [*map(parse, task.patterns)]
         floors = Floors(result.results)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -52,12 +52,15 @@ def key_of(number: int, student: str, spec: Spec, items: Sequence[Item], mistake
 
     Raises what a stage of the right solution raises, `UsageError` for an item that the scene does not tell.
     """
-    desk = _Desk(spec, items)
+    desk = Desk(spec, items)
     return Key(number, student, desk.values, tuple(desk.mistaken(each.name) for each in mistakes))
 
 
-class _Desk:
-    """A variant on which mistakes are made one after the other."""
+class Desk:
+    """A variant on which mistakes are made one after the other.
+
+    Raises what a stage of the right solution raises, `UsageError` for an item that the scene does not tell.
+    """
 
     def __init__(self, spec: Spec, items: Sequence[Item]) -> None:
         self._items = items
@@ -65,6 +68,7 @@ class _Desk:
         self._bench = Bench(spec, tuple(dict.fromkeys(name.stage for name in self._names)))
         self._scene = self._bench.scene()
         right = [one(name, self._scene.results, self._scene) for name in self._names]
+        self._told_alone = {name for name in self._names if _is_told_alone(name, self._scene.results)}
         self._meanings = [each.meaning for each in right]
         self._factors = [_factor(each.unit, item) for each, item in zip(right, items, strict=True)]
         floors = Floors(self._scene.results)
@@ -72,17 +76,28 @@ class _Desk:
         self.values: Values = tuple(factor * floors.settled(each) for each, factor in pairs)
         self._floors = [abs(factor) * floors.of(each) for each, factor in pairs]
 
-    def mistaken(self, name: str) -> Values:
-        """What of the items comes out with a mistake (I,)."""
+    def mistaken(self, name: str, wanted: Container[int] | None = None) -> Values:
+        """What of the items comes out with a mistake (I,), NaN of those whose places are not ``wanted`` (None: all)."""
         mistake, part = _named(name)
-        found = self._read(mistake) if mistake.reads is not None else self._solved(mistake, part)
-        return tuple(
-            math.nan if not math.isfinite(wrong) or _same(wrong, right, item) else wrong
-            for wrong, right, item in zip(map(settled, found, self._floors), self.values, self._items, strict=True)
-        )
+        places = [at for at in range(len(self._items)) if wanted is None or at in wanted]
+        values = [math.nan] * len(self._items)
+        if not places:
+            return tuple(values)
+        found = self._read(mistake) if mistake.reads is not None else self._solved(mistake, part, places)
+        for at in places:
+            wrong = settled(found[at], self._floors[at])
+            if math.isfinite(wrong) and not _same(wrong, self.values[at], self._items[at]):
+                values[at] = wrong
+        return tuple(values)
 
-    def _solved(self, mistake: Mistake, part: str) -> Values:
+    def hidden(self, values: Values) -> tuple[int, ...]:
+        """The places of items that are wrong with a mistake but within tolerance of the right ones."""
+        return _hidden(values, self.values, self._items)
+
+    def _solved(self, mistake: Mistake, part: str, places: Sequence[int]) -> Values:
+        """The values of the items at some places; of what they do not need nothing is solved."""
         none = (math.nan,) * len(self._items)
+        names = [self._names[at] for at in places]
         try:
             spec, amiss = self._bench.spec, mistake.stages
             if mistake.tables is not None:
@@ -94,12 +109,12 @@ class _Desk:
                 if not mistake.applies(spec):
                     return none
                 amiss = {stage: partial(wrong, part=part) for stage, wrong in amiss.items()} if part else amiss
-            scene = self._bench.scene(spec, amiss)
+            scene = self._bench.scene(spec, amiss, tuple(dict.fromkeys(name.stage for name in names)))
         except TmmError:
             return none
         if self._bench.unchanged(scene):
             return none
-        found = self._told(scene)
+        found = self._told(scene, names)
         return tuple(by * found.get(name.text, math.nan) for name, by in zip(self._names, self._factors, strict=True))
 
     def _read(self, mistake: Mistake) -> Values:
@@ -116,9 +131,18 @@ class _Desk:
         except TmmError:
             return math.nan
 
-    def _told(self, scene: Scene) -> dict[str, float]:
-        """Values of the items that a scene tells, in the units of results, by their names."""
-        names = [name for name in self._names if name.stage in scene.results]
+    def _told(self, scene: Scene, wanted: Sequence[Name]) -> dict[str, float]:
+        """Values of the items that a scene tells, in the units of results, by their names.
+
+        Those are left out that a stage tells alone whose result is the right one.
+        """
+        right = self._scene.results
+        names = [
+            name
+            for name in wanted
+            if name.stage in scene.results
+            and not (name in self._told_alone and scene.results[name.stage] is right[name.stage])
+        ]
         stages = tuple(dict.fromkeys(name.stage for name in names))
         try:
             return {f"{each.stage}.{each.quantity}": each.value for each in told(scene.results, names, scene, stages)}
@@ -148,11 +172,14 @@ def classes_of(key: Key, items: Sequence[Item], mistakes: Sequence[Told]) -> tup
 
 def clashes(key: Key, items: Sequence[Item]) -> tuple[tuple[int, int], ...]:
     """Mistakes and items by place, where a mistake changes the value but stays within tolerance of the right one."""
+    return tuple((at, k) for at, values in enumerate(key.mistaken) for k in _hidden(values, key.values, items))
+
+
+def _hidden(values: Values, right: Values, items: Sequence[Item]) -> tuple[int, ...]:
+    """Places where a mistake changes the value but stays within tolerance of the right one."""
+    every = enumerate(zip(values, right, items, strict=True))
     return tuple(
-        (at, k)
-        for at, values in enumerate(key.mistaken)
-        for k, (wrong, right, item) in enumerate(zip(values, key.values, items, strict=True))
-        if math.isfinite(wrong) and is_within(wrong, right, item, item.tolerance)
+        at for at, (wrong, own, item) in every if math.isfinite(wrong) and is_within(wrong, own, item, item.tolerance)
     )
 
 
@@ -197,6 +224,16 @@ def _read(mistake: Mistake, asked: Asked) -> float:
         return mistake.reads(asked)
     except (ArithmeticError, TmmError):
         return math.nan
+
+
+def _is_told_alone(name: Name, results: Mapping[str, Any]) -> bool:
+    """Whether a result tells what is asked for by itself: it stands in no column by choice, and at no place of one."""
+    if name.place is not None and name.place.column:
+        return False
+    try:
+        return any(told(results, [name], None, [name.stage]))
+    except TmmError:
+        return False
 
 
 def _one(name: Name, scene: Scene) -> float | None:

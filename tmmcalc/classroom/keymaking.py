@@ -22,6 +22,7 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.files import read_file
 from tmmcalc.pipeline.hashing import content_hash
 from tmmcalc.project.loader import Variants, read_text
+from tmmcalc.spec.rewrite import without
 
 SOLVER = "tmmcalc.classroom.keymaking:solve_keys"
 LOST = (
@@ -65,7 +66,8 @@ def make_keys(
     ``fresh``: nothing is taken of what it holds.
     Raises NoSolutionError for a variant that has no right solution, and what the assignment raises.
     """
-    task = Task(read_text(assignment), str(assignment), str(assignment.parent), (), (), solver=SOLVER, block=1)
+    bare = without(read_text(assignment), "class")  # what of it counts are the items
+    task = Task(bare, str(assignment), str(assignment.parent), (), (), solver=SOLVER, block=1)
     parts = task.variants()
     mistakes = mistakes_of(parts.spec())
     names = tuple(each.name for each in mistakes)

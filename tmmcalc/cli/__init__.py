@@ -90,7 +90,7 @@ def _start_quickly() -> None:
     installed packages for plugins, which have no say in a spec. OpenBLAS would start a pool of threads with
     numpy, which takes a third of numpy's import and never pays for matrices as small as ours.
     """
-    gc.set_threshold(200_000, 20, 20)  # a short command makes fewer objects
+    gc.set_threshold(1_000_000, 20, 20)  # a command makes fewer objects, a note of a whole project a third of it
     atexit.register(gc.freeze)
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "1")
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

@@ -58,6 +58,7 @@ ROOM = Room(
             asked=("train", "no tooth numbers are asked for"),
             uses=("drive",),
             reads="read_by_train",
+            by_name={"advised": False},
             after="drive",
             picture=Picture(
                 "a tooth set to scale from two sides, its plans of velocities and speeds, all sets by size and error, "

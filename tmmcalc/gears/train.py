@@ -22,11 +22,12 @@ from tmmcalc.gears.stepping import found_by_textbook, stepped
 from tmmcalc.gears.trains import Asked, Request, Trains, Variant
 
 
-def solve_train(asked: Asked, drive: Any = None) -> Trains:
+def solve_train(asked: Asked, drive: Any = None, *, advised: bool = True) -> Trains:
     """The tooth sets of every request that keep the user's constraints; ``drive`` gives a ratio that they have not.
 
-    Raises `UsageError` where neither does, `NoSolutionError` if no request has any tooth set, with what would help, or
-    if none keeps the constraints.
+    ``advised``: what would help one without any is sought, which takes longer than to see that there is none. Raises
+    `UsageError` where neither gives a ratio, `NoSolutionError` if no request has any tooth set, with that advice, or if
+    none keeps the constraints.
     """
     if asked.by_drive and drive is None:
         raise UsageError(
@@ -48,13 +49,13 @@ def solve_train(asked: Asked, drive: Any = None) -> Trains:
             found, error = found_by_textbook(request.task, synthesis.sets), angle_error(request.task, synthesis.sets)
             variants.append(Variant(request, synthesis, found, error=error))
             continue
-        if request.task.teeth is not None:
+        if request.task.teeth is not None or not advised:
             variants.append(Variant(request, synthesis, None))
             continue
         tell(1.0, f"{title}: no tooth set; seeking the least change that gives one")
         variants.append(Variant(request, synthesis, None, relaxations(request.task, request.kind)))
     if not any(variant.synthesis.count for variant in variants):
-        raise _no_solution(variants)
+        raise _no_solution(variants, advised)
     trains = Trains(tuple(variants))
     if asked.kept is None:
         return trains
@@ -90,8 +91,10 @@ def _programs(task: TrainTask) -> Iterator[tuple[tuple[int, ...], ToothSets]]:
             yield proportion, ToothSets(task.layout, teeth, modules, angles, task.planets)
 
 
-def _no_solution(variants: Sequence[Variant]) -> NoSolutionError:
+def _no_solution(variants: Sequence[Variant], advised: bool) -> NoSolutionError:
     message = "\n  ".join(line for variant in variants for line in why_none(variant))
+    if not advised:
+        return NoSolutionError(message, where="train", remedy="tmmcalc run tells what would help")
     advice = [f"{variant.request.title}: {text}" for variant in variants for text in remedies(variant)]
     if len(variants) == 1:
         advice = remedies(variants[0])

@@ -94,7 +94,7 @@ class Power:
         "eta", "efficiency: useful work over work put in", source="(3.36), (3.37)"
     )
     cycle_time: float = quantity("cycle_time[s]", "time of a cycle at the mean speed", symbol="T")
-    mean_power: float = quantity("P_mean[W]", "mean power that the loads leave over, or that they lack")
+    mean_power: float = quantity("P_mean[W]", "mean power of all loads, which a drive has to give or can take")
     peak_power: tuple[float, float]  # least and largest instant power of all loads [W]
     mean_moment: float = quantity(
         "M_d_mean[N*m]", "moment that makes the work of the cycle zero: of the drive, or < 0 of what is driven"

@@ -6,11 +6,11 @@ import math
 from collections.abc import Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING
-from xml.sax.saxutils import quoteattr
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
+from tmmcalc.core.escaping import quoteattr
 from tmmcalc.note.columns import widths_of
-from tmmcalc.note.docxpages import SIZE, SMALL, styled
+from tmmcalc.note.docxpages import SIZE, SMALL, contents_styled, styled
 from tmmcalc.note.docxplaces import WIDE, holds, ordered
 from tmmcalc.note.docxtables import CELLS, PADDING, WHOLE, size_of, table
 from tmmcalc.note.docxwords import SPACES, bookmark, cell_runs, element, elements, field, in_cell, mark_of, run, runs
@@ -139,10 +139,10 @@ class _Writer:
         lines([cover.foot], 40)
 
     def contents(self, title: str) -> None:
-        """A field of contents, which holds the titles until Word finds their pages."""
-        from docx.enum.text import WD_TAB_ALIGNMENT, WD_TAB_LEADER
-        from docx.shared import Mm
+        """A field of contents, which holds the titles until Word finds their pages.
 
+        Only what breaks the pages knows their numbers, so the file asks to be brought up to date when it is opened.
+        """
         head = self.found.add_paragraph()
         head.paragraph_format.page_break_before = True
         head.add_run(title).bold = True
@@ -153,14 +153,15 @@ class _Writer:
             '<w:fldChar w:fldCharType="separate"/>',
         ):
             first._p.append(element(f"<w:r>{part}</w:r>"))
-        paragraph, close = first, next(close for most, close in CLOSE if len(self.titles) <= most)
+        contents_styled(self.found, next(close for most, close in CLOSE if len(self.titles) <= most))
+        paragraph = first
         for k, each in enumerate(self.titles):
             paragraph = self.found.add_paragraph() if k else first
-            paragraph.paragraph_format.left_indent = Mm(6 * (each.level - 1))
-            paragraph.paragraph_format.line_spacing = close
-            paragraph.paragraph_format.tab_stops.add_tab_stop(Mm(ACROSS), WD_TAB_ALIGNMENT.RIGHT, WD_TAB_LEADER.DOTS)
+            paragraph.style = f"toc {each.level}"
+            mark = bookmark(mark_of(each))
             said = run(f"{each.number} ".lstrip()) + runs(each.text) + "<w:r><w:tab/></w:r>"
-            paragraph._p.extend(elements(said + field(f"PAGEREF {bookmark(mark_of(each))} \\h", "")))
+            linked = said + field(f"PAGEREF {mark} \\h", "")
+            paragraph._p.append(element(f'<w:hyperlink w:anchor="{mark}" w:history="1">{linked}</w:hyperlink>'))
         paragraph._p.append(element('<w:r><w:fldChar w:fldCharType="end"/></w:r>'))
 
     def title(self, title: Title) -> None:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.note.docxtables import CELLS
 from tmmcalc.note.docxwords import SPACES, element, elements, field
+from tmmcalc.note.tree import ACROSS
 
 if TYPE_CHECKING:
     from docx.document import Document
@@ -77,3 +78,17 @@ def styled(found: Document) -> None:
     )
     numbering.insert(0, lists)
     numbering.append(element(f'<w:num w:numId="{NUMBERED}"><w:abstractNumId w:val="{NUMBERED}"/></w:num>'))
+
+
+def contents_styled(found: Document, close: float) -> None:
+    """The lines of the contents, so close to each other: Word writes them anew in these styles."""
+    from docx.enum.style import WD_STYLE_TYPE
+    from docx.enum.text import WD_TAB_ALIGNMENT, WD_TAB_LEADER
+    from docx.shared import Mm, Pt
+
+    for level in (1, 2):
+        style: Any = found.styles.add_style(f"toc {level}", WD_STYLE_TYPE.PARAGRAPH, builtin=True)
+        style.base_style = found.styles["Normal"]
+        lines = style.paragraph_format
+        lines.left_indent, lines.space_after, lines.line_spacing = Mm(6 * (level - 1)), Pt(0), close
+        lines.tab_stops.add_tab_stop(Mm(ACROSS), WD_TAB_ALIGNMENT.RIGHT, WD_TAB_LEADER.DOTS)

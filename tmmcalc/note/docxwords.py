@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from typing import Any
-from xml.sax.saxutils import escape
 
+from tmmcalc.core.escaping import escape
 from tmmcalc.note.tree import NUMERIC, Reference, Text, Title, tied
 from tmmcalc.report.formula.layout import Box, Letter, Row, Script, Sign, Word
 from tmmcalc.report.formula.omml import omml

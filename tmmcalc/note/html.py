@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from xml.sax.saxutils import escape, quoteattr
 from zlib import crc32
 
+from tmmcalc.core.escaping import escape, quoteattr
 from tmmcalc.note.tree import (
     Caption,
     Contents,

@@ -55,19 +55,22 @@ def _beside(two: Sequence[Equation]) -> str | None:
 
 def _line(formulas: Sequence[Equation], wide: float, *, holds: bool = False) -> str:
     """Formulas in a row, each in so much room, with the words before it and its number."""
-    columns, cells = [], []
-    for formula in formulas:
-        rows = _broken(formula, wide)
-        body = " \\\n quad ".join(map(typeset, rows))
-        numbered = f"({formula.number})" if formula.number else ""
-        columns += [f"{_lead(formula):g}mm", "1fr", "auto"]
-        cells += [
-            f"text(size: {WORDS}pt)[{escaped(formula.lead)}]",
-            _sized(f"$ {body} $", rows, formula, wide),
-            f"[{numbered}]",
-        ]
-    label = _eq(formulas[0])
-    return f"#line(({', '.join(columns)}), {str(holds).lower()}, {', '.join(cells)}){label}"
+    label, held = _eq(formulas[0]), str(holds).lower()
+    told = [_told(formula, wide) for formula in formulas]
+    if len(formulas) == 1:
+        before, body, number = told[0]
+        named = (f"before: {before}" if formulas[0].lead else "", f"number: {number}" if formulas[0].number else "")
+        return f"#alone({', '.join(filter(None, (f'{_lead(formulas[0]):g}mm', held, body, *named)))}){label}"
+    columns = [each for formula in formulas for each in (f"{_lead(formula):g}mm", "1fr", "auto")]
+    return f"#line(({', '.join(columns)}), {held}, {', '.join(cell for cells in told for cell in cells)}){label}"
+
+
+def _told(formula: Equation, wide: float) -> tuple[str, str, str]:
+    """The words before a formula, the formula in its rows, its number."""
+    rows = _broken(formula, wide)
+    body = " \\\n quad ".join(map(typeset, rows))
+    number = f"[({formula.number})]" if formula.number else "[]"
+    return f"text(size: {WORDS}pt)[{escaped(formula.lead)}]", _sized(f"$ {body} $", rows, formula, wide), number
 
 
 def _sized(body: str, rows: Sequence[Row], formula: Equation, wide: float) -> str:

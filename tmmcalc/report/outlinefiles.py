@@ -10,11 +10,11 @@ from collections.abc import Iterator, Sequence
 from importlib import import_module
 from io import StringIO
 from typing import TYPE_CHECKING, Any
-from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.escaping import escape, quoteattr
 from tmmcalc.core.numerics.curves import Plane
 from tmmcalc.core.printable import printable
 from tmmcalc.report.outlines import Bow, Cubics, Line, Outline, Piece

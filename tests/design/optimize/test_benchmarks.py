@@ -75,6 +75,7 @@ def left(center: float) -> Values:
     return np.asarray(np.abs(unbalanced(ROD, ROD_CENTER) + CRANK_MASS * center * SPEED**2))
 
 
+@pytest.mark.slow
 def test_the_counterweight_of_a_crank_for_the_least_mean_square(tmp_path: Path) -> None:
     """It takes away the mean of the hodograph in the crank frame, Kinytskyi (3.74)."""
     found = optimize(changed(tmp_path, "best-counterweights", ("R_max", "R_rms"), ("= 2500", "= 100")))
@@ -83,6 +84,7 @@ def test_the_counterweight_of_a_crank_for_the_least_mean_square(tmp_path: Path) 
     assert found.designs[0].values == pytest.approx([center, 0.0], abs=1e-7)
 
 
+@pytest.mark.slow
 def test_the_counterweight_of_a_long_rod_is_half_of_what_goes_to_and_fro(tmp_path: Path) -> None:
     """m r omega^2 cos phi along a line: half of m on the crank leaves half of the force, whatever the angle."""
     rod = 'center = ["60 mm", 0]', "center = [0, 0]"  # all of its mass turns
@@ -153,6 +155,7 @@ at_most = "400 mm"
 """
 
 
+@pytest.mark.slow
 def test_the_least_peak_acceleration_at_a_stroke_is_that_of_the_longest_rod(tmp_path: Path) -> None:
     """r omega^2 (1 + r/l) with 2 r = h, and what rod and stroke cost of it."""
     line = ('"extreme"', '"0 deg"'), ('[0, "-40 mm"]', "[0, 0]")

@@ -48,12 +48,17 @@ def plain(result: Optimum) -> Optimum:
     return replace(result, resumed=0)
 
 
-def test_a_constraint_binds_and_the_optimum_is_that_of_a_grid(tmp_path: Path) -> None:
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Optimum:
+    """The swiftest linkage, found in one go by one process."""
+    return optimize(spec(tmp_path_factory.mktemp("whole"), SWIFTEST))
+
+
+def test_a_constraint_binds_and_the_optimum_is_that_of_a_grid(whole: Optimum, tmp_path: Path) -> None:
     from tmmcalc.batch.reading import frame_of
     from tmmcalc.design.model import Model
 
-    file = spec(tmp_path, SWIFTEST)
-    result = optimize(file)
+    file, result = spec(tmp_path, SWIFTEST), whole
     (design,) = result.designs
     assert design.again < 1e-12
     assert [each.name for each in result.binding] == ["swing"]
@@ -70,14 +75,14 @@ def test_a_constraint_binds_and_the_optimum_is_that_of_a_grid(tmp_path: Path) ->
     assert result.second.hits[0] > result.second.starts / 2  # one that begins far away ends at the longest coupler
 
 
-def test_several_processes_find_the_same_to_the_last_digit(tmp_path: Path) -> None:
-    file = spec(tmp_path, SWIFTEST)
-    assert optimize(file, jobs=2) == optimize(file, jobs=1)
+@pytest.mark.slow
+def test_several_processes_find_the_same_to_the_last_digit(whole: Optimum, tmp_path: Path) -> None:
+    assert optimize(spec(tmp_path, SWIFTEST), jobs=2) == whole
 
 
-def test_a_run_that_was_killed_goes_on_and_ends_as_one_that_was_not(tmp_path: Path) -> None:
+@pytest.mark.slow
+def test_a_run_that_was_killed_goes_on_and_ends_as_one_that_was_not(whole: Optimum, tmp_path: Path) -> None:
     file, out = spec(tmp_path, SWIFTEST), tmp_path / "best.toml"
-    whole = optimize(file)
     command = [sys.executable, "-m", "tmmcalc", "optimize", str(file), "--spec", str(out), "-q"]
     run = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     journal, until = part(out), time.monotonic() + 60
@@ -94,6 +99,7 @@ def test_a_run_that_was_killed_goes_on_and_ends_as_one_that_was_not(tmp_path: Pa
     assert not journal.exists()
 
 
+@pytest.mark.slow
 def test_what_is_solved_is_kept_until_the_result_was_used(tmp_path: Path) -> None:
     file, out = spec(tmp_path, SWIFTEST), tmp_path / "best.toml"
 

@@ -5,6 +5,7 @@ import itertools
 import numpy as np
 import pytest
 from scipy.optimize import linprog
+from sparing import sparing
 
 from tests.design.optimize.fake import problem
 from tmmcalc.core.errors import NoSolutionError
@@ -30,7 +31,7 @@ def rastrigin(x):
     return (x**2 - 10 * np.cos(2 * np.pi * x) + 10).sum(axis=1)[:, None]
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@sparing("seed", [1, 2, 3], every=3)
 def test_a_curved_valley_is_followed_to_its_end(seed):
     made = problem(rosenbrock, [(-5.0, 5.0)] * 4)
     course = found(made, 8000, seed)
@@ -40,7 +41,7 @@ def test_a_curved_valley_is_followed_to_its_end(seed):
     assert course.second.better == (False,)
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@sparing("seed", [1, 2, 3], every=3)
 def test_the_best_of_thousands_of_hollows_is_found(seed):
     made = problem(rastrigin, [(-4.1, 6.3)] * 4)
     course = found(made, 8000, seed)
@@ -143,6 +144,7 @@ def test_a_kink_is_found_though_slopes_fail_there():
     assert float(course.scores.objectives[0, 0]) < 1e-8
 
 
+@pytest.mark.slow
 def test_the_same_seed_finds_the_same_and_another_the_same_optimum():
     one, two = (found(problem(rosenbrock, [(-5.0, 5.0)] * 2), 3000, 4) for _ in range(2))
     assert one.places.tolist() == two.places.tolist()

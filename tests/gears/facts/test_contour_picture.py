@@ -286,6 +286,7 @@ def points_inside(polygon: np.ndarray, points: np.ndarray) -> np.ndarray:
     return np.asarray(np.abs(seen) > np.pi)
 
 
+@pytest.mark.slow
 def test_the_file_for_cad_programs_has_a_hatch_of_lines() -> None:
     pytest.importorskip("ezdxf")
     import io

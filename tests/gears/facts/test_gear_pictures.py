@@ -37,7 +37,7 @@ from tmmcalc.gears.scheme import layout_of
 from tmmcalc.gears.selection.results import MEASURES
 from tmmcalc.gears.trains import Trains
 from tmmcalc.project import load_spec, parse_spec
-from tmmcalc.project.templates import names, path
+from tmmcalc.project.templates import folder, names
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.diagram import Diagram
 from tmmcalc.report.drawing.field import Board, Field
@@ -440,14 +440,14 @@ def test_choose_belongs_to_gears() -> None:
 
 
 UNSOLVED = "extreme/no-tooth-set"
-TRAINED = [name for name in names() if "[train" in path(name).read_text(encoding="utf-8") and name != UNSOLVED]
+TRAINED = [name for name in names() if "[train" in (folder() / f"{name}.toml").read_text() and name != UNSOLVED]
 
 
-@sparing("name", TRAINED, every=5, first=1)
+@sparing("name", TRAINED, every=5, first=2)
 @pytest.mark.parametrize("make", [figure, figure_of_criteria], ids=["train", "criteria"])
 def test_ready_specs_on_paper(name: str, make: Callable[[Order], Drawing]) -> None:
     """Nothing over the edge of the sheets, hardly a name without a free place, no file of thousands of signs."""
-    spec = load_spec(path(name))
+    spec = load_spec(folder() / f"{name}.toml")
     target = "criteria" if "criteria" in plan(spec).running else "train"
     if make is figure_of_criteria and target == "train":
         pytest.skip("this scene chooses no train")

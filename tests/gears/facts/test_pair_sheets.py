@@ -6,6 +6,7 @@ from functools import cache
 
 import pytest
 from paper import covered, on_sheet
+from ready import SPECS
 
 import tmmcalc
 from tmmcalc.core.plan import plan
@@ -13,13 +14,11 @@ from tmmcalc.gears.pictures.blocking import blocking_drawing
 from tmmcalc.gears.pictures.pair import pair_drawing
 from tmmcalc.gears.pictures.profile import profile_drawing
 from tmmcalc.gears.pictures.wheel import wheel_drawing
-from tmmcalc.project import templates
 from tmmcalc.report.drawing.shapes import Drawing
 
 DRAWINGS = {"pair": pair_drawing, "profile": profile_drawing, "blocking": blocking_drawing, "wheel": wheel_drawing}
-SPECS = {name: tmmcalc.load_spec(templates.folder() / f"{name}.toml") for name in templates.names() if "/" not in name}
 SHOWN = {name: [stage for stage in plan(spec).running if stage in DRAWINGS] for name, spec in SPECS.items()}
-QUICK = ("pair", "pair-rack", "wheel")  # the others are long
+QUICK = ("pair-rack", "wheel")  # the others are long
 MOST = 0.01  # of the names have no free place
 
 

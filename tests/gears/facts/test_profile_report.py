@@ -305,6 +305,7 @@ def ends_of(entity: Any) -> tuple[complex, complex]:
     return complex(first[0], first[1]), complex(last[0], last[1])
 
 
+@pytest.mark.slow
 def test_outline_of_the_wheel_and_its_csv() -> None:
     upright = Placing(0.0, 0j)
     for member in (Member(BOOK, 0), Member(UNDER, 0), Member(RING, 1)):

@@ -151,6 +151,7 @@ def test_speed_against_the_carrier() -> None:
     assert planet != own
 
 
+@pytest.mark.slow
 def test_shifts_of_the_meshes_of_a_train() -> None:
     """The first mesh of the course project runs at its reference distance where shifts are left out."""
     asked = "pair.1-2.a mm", "pair.1-2.a_w mm", "pair.1-2.wheels.0.x ", "pair.1-2.wheels.1.x "

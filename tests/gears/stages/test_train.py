@@ -265,6 +265,17 @@ def test_ratios_of_the_layout_are_said_where_the_one_asked_for_is_none() -> None
         variant('layout = "unfolded2"\nratio = 50\n')
 
 
+def test_by_name_no_advice_is_sought() -> None:
+    spec = tmmcalc.parse_spec('[train]\nlayout = "unfolded2"\nratio = 50\n')
+    with pytest.raises(NoSolutionError, match="no tooth set") as found:
+        run(spec, target="train", by_name=True)
+    assert "admits" not in found.value.message
+    assert found.value.remedy == "tmmcalc run tells what would help"
+    three, four = run(tmmcalc.parse_spec(f"[train]\n{AIBAR}planets = [3, 4]\n"), by_name=True).results["train"].variants
+    assert three.synthesis.count
+    assert four.relaxations == ()
+
+
 def test_one_empty_variant_of_several_stops_nothing() -> None:
     three, four = trains(AIBAR + "planets = [3, 4]\n").variants
     assert three.synthesis.count

@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from drawing import draw_forces, draw_kinematics, drawn
-from loaded import READY, anything, press, ready, statics
+from loaded import anything, press, ready, statics
+from ready import LINKAGES
 from sparing import sparing
 
 from tmmcalc.core.errors import UsageError
@@ -57,7 +58,7 @@ def test_polygons_of_the_textbook(shaper: tuple[Mechanism, Kinematics]) -> None:
             assert polygon.vertices[vertex] / scale == pytest.approx(complex(x, y), abs=case["tolerance"]["abs"])
 
 
-@sparing("name", READY, every=4)
+@sparing("name", LINKAGES, every=4)
 @pytest.mark.parametrize("k", [1, 5])
 def test_vectors_obey_both_theorems(name: str, k: int) -> None:
     mechanism, result = solved(name)
@@ -81,7 +82,7 @@ def check_coriolis(mechanism: Mechanism, found: VectorPolygons, k: str, slider: 
     assert value == pytest.approx(2j * found.omega[guides[slider]] * relative, abs=1e-9 * size)
 
 
-@sparing("name", READY, every=4)
+@sparing("name", LINKAGES, every=4)
 def test_vertices_are_the_points_of_the_result(name: str) -> None:
     mechanism, result = solved(name)
     found = polygons(mechanism, result, 2)
@@ -117,7 +118,7 @@ def test_pins_are_shared_by_chains_of_joints() -> None:
     assert set(pin.joints) == {"B", "B4"}
 
 
-@sparing("name", READY, every=24)
+@sparing("name", LINKAGES, every=24)
 def test_every_ready_spec_is_drawn(name: str, tmp_path: Path) -> None:
     file = tmp_path / "picture.svg"
     draw_kinematics(*solved(name), file, polygons=3)

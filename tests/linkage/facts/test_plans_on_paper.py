@@ -68,7 +68,7 @@ def _goes_on(stroke: Stroke, tip: complex, back: complex) -> bool:
     return abs(end - (tip - 0.8 * abs(tip - back) * e)) < 1e-9
 
 
-@pytest.mark.parametrize("config", MOVING)
+@sparing("config", MOVING, every=4)
 def test_segments_times_the_scale_are_velocities_and_accelerations(config: str) -> None:
     spec, result = solved(config)
     mechanism, rows = to_linkage(spec.linkage), [3, 8]
@@ -128,7 +128,7 @@ def lever_of(config: str, row: int) -> tuple[Drawing, Board, Any, Forces]:
     return drawing, board, found, forces
 
 
-@pytest.mark.parametrize("config", LOADED)
+@sparing("config", LOADED, every=4)
 def test_forces_times_arms_read_from_the_drawn_lever_balance_the_drive(config: str) -> None:
     """The lines of the arrows alone are read: their moments about the pole are the powers of the force analysis."""
     _, kinematics, forces = loaded(config)
@@ -202,7 +202,7 @@ def test_a_crank_of_200_mm_is_50_mm_long_at_1_to_4() -> None:
     assert min(abs(bar - 50.0) for bar in bars) < 1e-9
 
 
-@sparing("config", ["shaper", "class-three", "class-four", "scissor-lift", "geared-press", "press"], every=2)
+@sparing("config", ["shaper", "class-three", "class-four", "scissor-lift", "geared-press", "press"], every=6)
 @pytest.mark.parametrize("stage", ["kinematics", "forces"])
 def test_pieces_draw_themselves_at_their_least_and_good_sizes(config: str, stage: str) -> None:
     for piece in pieces(config, stage):

@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from loaded import READY, anything, ready
+from loaded import anything, ready
 from loaded import press as loaded_press
+from ready import LINKAGES
 from sparing import sparing
 
 from linkage.forces.worked import CASES, press, press_loading
@@ -152,7 +153,7 @@ def test_a_light_block_without_friction_pushes_across_the_slot() -> None:
     np.testing.assert_allclose(np.abs(found["RN_A"]), found["R0_A"], atol=1e-12 * size)
 
 
-@sparing("name", READY, every=4, first=2)
+@sparing("name", LINKAGES, every=4, first=2)
 def test_the_parts_in_outer_pins_make_up_the_reaction(name: str) -> None:
     mechanism = ready(name)
     loading, kinematics = anything(mechanism), solve_kinematics(mechanism)

@@ -82,6 +82,7 @@ def balanced(rows: Rows, result: Forces) -> None:
             np.testing.assert_allclose(moments[name], size * np.where(size > 0, arms[name], 0.0), rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_the_terms_balance() -> None:
     for rows in scenes():
         balanced(rows, rows.result)
@@ -107,6 +108,7 @@ def cells(document: Document) -> Iterator[dict[str, object]]:
         yield dict(zip(document.table.headers, row, strict=True))
 
 
+@pytest.mark.slow
 def test_they_are_what_the_documents_of_all_rows_tell() -> None:
     """Every row of the documents by its name; and no name has more than they do."""
     for rows in scenes():

@@ -121,6 +121,7 @@ class Bars:
         return np.array(rows)
 
 
+@pytest.mark.slow
 def test_bent_arms_against_scipy() -> None:
     """Positions by fsolve, the reduced mass, weight and force of the drive from differences of these positions."""
     spec = lift(*BENT)
@@ -170,6 +171,7 @@ def test_cylinder_takes_force_alone_between_its_pins() -> None:
     assert np.abs(found.normal[names.index("Z")]).max() < 1e-9 * found.drive.max()
 
 
+@pytest.mark.slow
 def test_retracting_is_the_same_motion_backwards() -> None:
     out = tmmcalc.solve_forces(lift())
     back = tmmcalc.solve_forces(lift('mechanism.input.speed="-30 mm/s"', 'mechanism.input.start="2.02 m"'))
@@ -213,6 +215,7 @@ acceleration = "20 mm/s^2"
 """
 
 
+@pytest.mark.slow
 def test_from_rest_to_rest_though_the_platform_only_translates(tmp_path: Path) -> None:
     """The platform's angle is zero but for rounding, which is no motion that has to be followed."""
     (tmp_path / "rise.toml").write_text(FILE.read_text() + RISE)

@@ -34,3 +34,19 @@ def test_what_nearly_touches_zero_or_turns_otherwise_is_told_apart() -> None:
     found = zeros(f, X, values, np.ones((1, 6)))
     assert found.clear.tolist() == [True, True, False, False, False, True]
     assert np.allclose(np.cos(found.places[0][[0, 1, 5]]), -OFFSET[[0, 1, 5], None], rtol=0, atol=1e-15)
+
+
+def test_how_many_the_first_has_to_have() -> None:
+    """Most have four; those with two are taken all the same where two are asked for, though they are fewer."""
+    TWICE = np.array([1, 2, 2, 2, 1])
+
+    def f(at, variant, function):
+        return np.cos(TWICE[variant] * at)
+
+    values = np.cos(TWICE[:, None] * X)[None]
+    for first, taken in ((None, TWICE == 2), (4, TWICE == 2), (2, TWICE == 1), (6, TWICE == 3)):
+        found = zeros(f, X, values, np.ones((1, 5)), first)
+        assert found.clear.tolist() == taken.tolist()
+        assert found.places[0].shape == (5, first or 4) or not taken.any()
+        places = found.places[0][taken]
+        assert np.allclose(np.cos(TWICE[taken, None] * places), 0, rtol=0, atol=1e-14)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from machines import TURN, positions, sine
 from paper import covered, curves, inside, of_words, on_sheet, written
+from sparing import sparing
 
 from machine.flywheel.scenes import press_cycle, upsetter_cycle
 from tmmcalc.core.numerics.panels import panels
@@ -189,7 +190,7 @@ def test_a_sine_is_read_without_an_error() -> None:
     assert found.inertia == pytest.approx(10.0, rel=1e-12)
 
 
-@pytest.mark.parametrize("language", ["en", "uk"])
+@sparing("language", ["en", "uk"], every=2)
 @pytest.mark.parametrize("cycle", CYCLES)
 def test_sheets_are_clear(cycle: Cycle, language: str) -> None:
     with speaking(language):

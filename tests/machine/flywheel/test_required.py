@@ -18,7 +18,7 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.diagram import from_harmonics
 from tmmcalc.machine.flywheel.comparison import compared
 from tmmcalc.machine.flywheel.methods import positional_flywheels
-from tmmcalc.machine.flywheel.required import fluctuation, required_inertia
+from tmmcalc.machine.flywheel.required import fluctuation, required_inertia, surely_uneven
 from tmmcalc.machine.flywheel.results import Trial
 from tmmcalc.machine.flywheel.search import corrections, least_inertia, tried
 from tmmcalc.machine.motors.characteristics import (
@@ -288,3 +288,38 @@ def test_an_inertia_that_vanishes_at_a_dead_centre_bounds_no_speed() -> None:
     found = required_inertia(cycle, parabola_motor(), 0.08, 0.0)
     motion = driven(cycle, found.inertia, parabola_motor())
     assert motion.delta == pytest.approx(0.08, rel=1e-8)
+
+
+class TestSurelyUneven:
+    """What is ruled out by energy alone, against the motions themselves."""
+
+    @sparing("motor", [parabola_motor(), kloss_motor(), straight_motor()], every=3)
+    @pytest.mark.parametrize("delta", [0.02, 0.08, 0.3])
+    def test_no_motion_that_is_even_enough_is_ruled_out(self, motor: Kloss, delta: float) -> None:
+        cycle, ruled_out = upsetter_cycle(), 0
+        model = fluctuation(cycle, motor)
+        for inertia in (0.0, 1.0, 3.0, 5.0, 8.0, 12.0, 20.0, 40.0):
+            if surely_uneven(cycle, motor, inertia, delta):
+                reached = model(inertia)
+                assert reached is None or reached > delta
+                ruled_out += 1
+        assert ruled_out > 0 or delta > 0.1 or not isinstance(motor, Kloss)  # a line gives any moment, slow enough
+        assert not surely_uneven(cycle, motor, required_inertia(cycle, motor, delta, 0.0).inertia, delta)
+
+    def test_nothing_is_sure_where_loads_drive(self) -> None:
+        cycle = upsetter_cycle()
+        assert surely_uneven(cycle, kloss_motor(), 1.0, 0.02)
+        driven_by_loads = replace(cycle, moment=-cycle.moment)
+        assert not surely_uneven(driven_by_loads, kloss_motor(), 1.0, 0.02)
+        assert not surely_uneven(replace(cycle, viscous=cycle.viscous + 0.1), kloss_motor(), 1.0, 0.02)
+        assert not surely_uneven(cycle, ConstantMoment(100.0), 1.0, 0.02)
+
+    @sparing("lag", [0.0, 0.02], every=2)
+    def test_the_flywheel_is_the_same(self, lag: float) -> None:
+        for at_hand in (0.0, 2.0, 10.6):
+            told, short = (
+                required_inertia(upsetter_cycle(), kloss_motor(), 0.08, at_hand, lag, remarked=remarked)
+                for remarked in (True, False)
+            )
+            assert short.inertia == pytest.approx(told.inertia, rel=1e-9)
+            assert short.remarks == ()

@@ -44,6 +44,7 @@ def test_work_of_half_a_cycle() -> None:
     assert wrong("press", "machine.half_cycle", "power.A_c J") == pytest.approx([own], rel=2e-3)
 
 
+@pytest.mark.slow
 def test_power_of_the_motor() -> None:
     mean, needed, eta = right("course-project", "power.P_mean W", "power.P_required W", "power.eta_gears ")
     assert needed == pytest.approx(mean / eta)
@@ -54,6 +55,7 @@ def test_power_of_the_motor() -> None:
     assert wrong("press", "machine.power_per_turn", "power.P_mean W") == pytest.approx([power * time])
 
 
+@pytest.mark.slow
 def test_inertia_of_the_rotor() -> None:
     rotor, ratio, reduced = right("course-project", "power.J_R kg*m^2", "power.u ", "power.J_rotor kg*m^2")
     assert reduced == pytest.approx(rotor * ratio**2)
@@ -64,6 +66,7 @@ def test_inertia_of_the_rotor() -> None:
         assert (got, at_hand) == pytest.approx((own, own + gears))
 
 
+@pytest.mark.slow
 def test_flywheel_on_its_own_shaft() -> None:
     addition, own, ratio, mass = right(
         "course-project",
@@ -110,6 +113,7 @@ def test_speed_not_squared_and_half_of_the_range() -> None:
     assert got == pytest.approx((largest - least) / 2 / mean)
 
 
+@pytest.mark.slow
 def test_mass_of_the_rim() -> None:
     """The thin rim has J = m D^2/4."""
     inertia, diameter = right("course-project", "flywheel.rim_inertia kg*m^2", "flywheel.rim_mean_diameter m")

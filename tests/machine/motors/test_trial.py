@@ -28,6 +28,7 @@ def machine(motor: str = CHOOSE.format("parabolic"), more: str = "", existing: s
     return run(tmmcalc.parse_spec(spec_text(motor=motor, existing=existing, more=more)))
 
 
+@pytest.mark.slow
 def test_the_least_of_a_loop_over_the_catalogue() -> None:
     """Every motor of the speed is given by its name, and read off its own motion."""
     duty = machine().results["power"].duty
@@ -61,6 +62,7 @@ def test_the_least_of_a_loop_over_the_catalogue() -> None:
     assert all("overheats" in each.reason for each in duty.judged if by_mean.power == each.power and each.heating)
 
 
+@pytest.mark.slow
 def test_the_rms_moment_by_plain_integration() -> None:
     """E' = M_d + M_c, t' = 1/omega from turn to turn until it repeats; the parabola is written out anew."""
     found = machine().results
@@ -100,6 +102,7 @@ def test_the_motor_that_is_chosen_is_not_warned_of() -> None:
     assert "reserve" in next(each.reason for each in larger.judged if each.load < 1 < 1.8 * each.load)
 
 
+@pytest.mark.slow
 def test_a_start_under_load_asks_for_more() -> None:
     """A start against the whole load from the worst place."""
     start = '[[transients]]\nname = "under load"\nduration = "6 s"\nstart_angle = "200 deg"\n'

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,7 @@ from tmmcalc.linkage.forces.further import further_columns as further_of_forces
 from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.machine.reduction.further import Linkage, further_columns
+from tmmcalc.machine.reduction.jumps import nodal_jumps
 from tmmcalc.machine.reduction.ordinates import ordinates
 from tmmcalc.machine.reduction.solve import solve_reduction
 from tmmcalc.pipeline.outcome import RunResult
@@ -177,3 +179,13 @@ class TestSimpson:
 def test_nothing_is_solved_before_a_column_is_made(shaper: RunResult, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tmmcalc.machine.reduction.further.compile_scene", None)
     assert len(shaper.outcomes["reduction"].stage.part("further")(shaper.spec, shaper.results)) > 20
+
+
+def test_what_is_left_of_moments_that_cancel_does_not_jump(shaper: RunResult) -> None:
+    """The load of the shaper jumps; what rounding leaves of moments as large that cancel is no jump."""
+    found = shaper.results["reduction"]
+    assert nodal_jumps(found, 0.0)
+    left = 1e-15 * np.max(np.abs(found.parts)) * np.random.default_rng(1).standard_normal(found.cycle.moment.shape)
+    still = np.zeros_like(found.cycle.moment)
+    cycle = replace(found.cycle, moment=left, viscous=still, quadratic=still)
+    assert nodal_jumps(replace(found, cycle=cycle, total=np.zeros_like(found.total)), 0.0) == []

@@ -176,6 +176,7 @@ def test_a_given_reducer_ends_at_the_pinion() -> None:
     assert "over 3.33333 of [open_pair], which is 4.2" in fault.message
 
 
+@pytest.mark.slow
 def test_a_motor_that_is_chosen_settles_with_both() -> None:
     results = done("power", 'motor.name="choose"', 'motor.synchronous_speed="1500 rpm"', text=without_rotor()).results
     power, winner = results["power"], results["criteria"].winner
@@ -188,6 +189,7 @@ def without_rotor() -> str:
     return TEXT.replace("inertia = 0.0056                        # kg*m^2, of the rotor: the catalogue has none\n", "")
 
 
+@pytest.mark.slow
 def test_the_speed_by_the_motor_has_both_ratios() -> None:
     text = TEXT.replace('speed = "60 rpm"  ', 'speed = "by the motor"').replace("[train]", '[train]\nratio = "6.96"', 1)
     speed = spec(text=text).linkage.input.speed

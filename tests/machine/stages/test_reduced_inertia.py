@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline, PchipInterpolator
+from sparing import sparing
 from written import PINS, link, slide
 
 import tmmcalc
@@ -92,6 +93,7 @@ def figures(run: RunResult) -> np.ndarray:
     return np.array([found["flywheel"].addition, regime.omega_min, regime.omega_max, start.omega[0, -1]])
 
 
+@pytest.mark.slow
 def test_the_tables_of_a_linkage_move_as_the_linkage(tmp_path: Path) -> None:
     """To the error of the spline, of fourth order in the step."""
     off = []
@@ -150,7 +152,7 @@ def curve(kind: str) -> tuple[Any, Any]:
     return lambda x: np.interp(x, at, closed), lambda x: rise[min(int(x / (TURN / 8)), 7)]
 
 
-@pytest.mark.parametrize("kind", ["spline", "pchip", "linear"])
+@sparing("kind", ["spline", "pchip", "linear"], every=3)
 def test_a_motion_in_time_against_dop853(kind: str) -> None:
     """J w' + w^2 J'/2 = M, with J' that of the same curve."""
     text = SPEC.format(moment="-3 + 8*sin(theta)", points=POINTS.tolist(), kind=kind)
@@ -205,6 +207,7 @@ def test_a_spline_that_falls_below_zero_is_refused() -> None:
         tmmcalc.run(parse_spec(text))
 
 
+@pytest.mark.slow
 def test_the_ready_spec_moves_as_the_compressor_that_its_tables_are_of() -> None:
     """Straight lines every 5 degrees: to some tenths of a percent."""
     tables, linkage = (

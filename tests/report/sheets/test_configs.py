@@ -26,6 +26,7 @@ from drawnsheets import (
     words_of,
 )
 from pages import dxf_lines, dxf_words, lines, size, words
+from sparing import sparing
 
 from tmmcalc.core.errors import TmmError
 from tmmcalc.report.drawing import written
@@ -37,7 +38,7 @@ EXACT = 0.01  # mm
 SHARE = 0.01  # of the words that may lie on a line or another word and are not told
 SAMPLE = ("shaper", "cam-flat", "gears-single-planets")
 NAMES = [
-    pytest.param(file.stem, marks=() if file.stem in SAMPLE else (pytest.mark.slow,))
+    pytest.param(file.stem, marks=() if file.stem in SAMPLE[1:] else (pytest.mark.slow,))
     for file in sorted(CONFIGS.glob("*.toml"))
 ]
 EXPECTED = {  # sheets of some scenes
@@ -117,14 +118,14 @@ def test_the_files_hold_what_is_drawn(name: str) -> None:
                 assert word in told_in_dxf
 
 
-@pytest.mark.parametrize("name", EXPECTED)
+@pytest.mark.parametrize("name", [pytest.param(n, marks=() if n in SAMPLE else pytest.mark.slow) for n in EXPECTED])
 def test_the_sheets_of_a_scene(name: str) -> None:
     sheets = [made.sheet for made in drawn(name, "en")]
     assert list(dict.fromkeys(sheet.subject for sheet in sheets)) == EXPECTED[name]
     assert [sheet.number for sheet in sheets] == list(range(1, len(sheets) + 1))
 
 
-@pytest.mark.parametrize("paper", FORMATS)
+@sparing("paper", FORMATS, every=len(FORMATS))
 def test_the_crank_has_its_length_at_the_scale(paper: str) -> None:
     """The crank of the shaper, 200 mm, is 200 mm over the number of the scale in PDF and DXF: 50.00 at 1:4."""
     linkage = drawn("shaper", "en", paper)[0]
@@ -137,7 +138,7 @@ def test_the_crank_has_its_length_at_the_scale(paper: str) -> None:
 
 
 @pytest.mark.parametrize("paper", ["a2", "a3"])
-@pytest.mark.parametrize("name", SAMPLE)
+@sparing("name", SAMPLE, every=3, first=1)
 def test_smaller_paper(name: str, paper: str) -> None:
     """Every piece of A1 stands on some sheet of smaller paper, with what it needs."""
     large = [place.piece.heading for made in drawn(name, "en") for place in made.sheet.layout.places]

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import combinations
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.sheets.formats import FORMATS, FRAMES
@@ -53,7 +54,7 @@ def taken(room: Room) -> Iterator[Box]:
 
 @pytest.mark.parametrize("frame", FRAMES)
 @pytest.mark.parametrize("size", FORMATS)
-@pytest.mark.parametrize("seed", range(12))
+@sparing("seed", range(12), every=4)
 def test_random_pieces(seed: int, size: str, frame: str) -> None:
     asked = pieces(seed)
     sheets, warnings = planned(asked, style(size, frame))

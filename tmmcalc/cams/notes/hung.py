@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.reach import reach
+from tmmcalc.report.drawing.reach import moved, reach
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.manuscript import Figure
 from tmmcalc.report.telling import WIDE
@@ -19,7 +19,5 @@ def hung(caption: str, draw: Callable[[Drawing, Box], object], high: float, key:
     draw(trial, Box(0.0, 0.0, WIDE, high))
     free = max(min(reach(shape).bottom for shape in trial.shapes) - AIR, 0.0)
 
-    def from_top(drawing: Drawing, box: Box) -> object:
-        return draw(drawing, Box(box.left, box.top - high, box.right, box.top))
-
-    return Figure(caption, from_top, (WIDE, high - free), key)
+    shapes = [moved(shape, -1j * free) for shape in trial.shapes]
+    return Figure(caption, lambda drawing, _: drawing.add(*shapes), (WIDE, high - free), key)

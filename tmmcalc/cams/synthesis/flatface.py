@@ -40,9 +40,8 @@ def remarks(found: Convexity, start: float, shaft: float) -> list[Said]:
     notes: list[Said] = []
     if found.radius <= 0:
         text = (
-            "rho falls to {radius:.6g} mm at phi = {phi}: the profile has a cusp or a loop that the face cannot "
-            "follow; "
-            "S0 of at least {limit:.6g} mm is needed"
+            "with S0 = {value:.6g} mm rho falls to {radius:.6g} mm at phi = {phi}: the profile has a cusp or a loop "
+            "that the face cannot follow; S0 of at least {limit:.6g} mm is needed"
         )
         words: dict[str, Any] = {"radius": 1e3 * found.radius, "phi": _deg(found.least.phi)}
         notes.append(held("warning", text, start, found.needed, "m", shown="mm", name="S0", **words))

@@ -11,7 +11,8 @@ from __future__ import annotations
 import re
 from base64 import b64encode
 from collections.abc import Iterable, Sequence
-from xml.sax.saxutils import escape, quoteattr
+
+from tmmcalc.core.escaping import escape, quoteattr
 
 GRADES = (
     *(100.0, 90.0, 83.33333, 80.0, 75.0, 70.0, 66.66667, 60.0, 50.0, 40.0, 33.33333, 30.0, 25.0, 20.0),

@@ -15,11 +15,11 @@ from tmmcalc.gears.notes.letters import teeth
 from tmmcalc.gears.notes.pair import given_quantities
 from tmmcalc.gears.notes.pairs.choice import chosen
 from tmmcalc.gears.notes.pairs.lexicon import told_of
+from tmmcalc.gears.notes.pairs.tables import something
 from tmmcalc.gears.notes.strength import steel_word
 from tmmcalc.gears.pictures.memberscheme import draw_members
 from tmmcalc.gears.pictures.words import layout_word
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Datum, Figure
 
@@ -35,9 +35,7 @@ def blocks(order: Order) -> Iterator[Block]:
     if "pair" in order.results and order.spec.pair.teeth is not None:
         for found in order.results["pair"].pairs:
             lexicon = told_of(found).lexicon
-            names = [canonical(name) for name in given_quantities(found)]
-            for name in (each for each in names if each in lexicon):
-                given = lexicon[name]
+            for name, given in something(given_quantities(found), lexicon):
                 assert isinstance(given.value, float)
                 yield Datum(given.meaning, (name,), (given.value,), given.unit)
             yield from _choice(found.task)

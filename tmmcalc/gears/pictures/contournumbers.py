@@ -16,6 +16,7 @@ from tmmcalc.report.drawing.pens import Pen
 CANDIDATES = 45  # places that a number tries along its line
 POINTS = 400  # of a line, evenly apart
 CLEAR = 0.5  # about a circle [mm]
+NAMED = 20.0  # what a mm of it on a name costs
 EDGE = 4.0  # from the centre of a circle to the border [mm]
 SHORT = 12.0  # a line that is not longer has its number beside it [mm]
 BESIDE = (4.5, 6.0, 8.0)  # how far [mm]
@@ -53,8 +54,12 @@ def number_stroke(board: Board, stroke: Stroke) -> None:
 
 
 def _roomiest(board: Board, places: Plane) -> complex:
-    """The place about which least is drawn."""
-    cost = [board.labels.crowded([at, at], RING + CLEAR) for at in places.tolist()]
+    """The place about which least is drawn, and no name."""
+    labels, round_it = board.labels, RING * np.array([-1, 1])
+    cost = [
+        labels.crowded([at, at], RING + CLEAR) + sum(NAMED * labels.struck(at + e * round_it) for e in (1, 1j))
+        for at in places.tolist()
+    ]
     return complex(places[int(np.argmin(cost))])
 
 

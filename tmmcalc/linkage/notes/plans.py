@@ -12,14 +12,13 @@ import numpy as np
 from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.told import Told
 from tmmcalc.linkage.outputs import default_outputs
-from tmmcalc.linkage.pictures.plans import SENSES, draw_plans_of_kind, plans_of
+from tmmcalc.linkage.pictures.plans import SENSES, draw_plans_of_kind, plans_of, scale_of_kind
 from tmmcalc.linkage.pictures.vectors import SUPERSCRIPTS, drawn_vectors, lettered
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.turning import turnings
 from tmmcalc.linkage.vectors import Polygon, Vector, VectorPolygons
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import NUMBERED
-from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.symbols import canonical
@@ -103,9 +102,8 @@ def _sliding(told: Told, plans: Sequence[Plan]) -> Iterator[Block]:
 def _plan(told: Told, found: Sequence[VectorPolygons], letter: str) -> Plan:
     """The plans of a kind, each in a figure of its own, to one scale."""
     polygons = tuple(plan.velocity if letter == "v" else plan.acceleration for plan in found)
-    size = WIDE, MOST
+    mu = max(scale_of_kind(Box(0.0, 0.0, WIDE, MOST), [plan], letter) for plan in found)
     draws = [partial(draw_plans_of_kind, result=told.result, plans=[plan], letter=letter) for plan in found]
-    mu = max(draw(Drawing(*size, ""), Box(0.0, 0.0, *size))[0].mu for draw in draws)
     figures = []
     for k, draw in enumerate(draws):
         label = told.result.labels[told.rows[k]]
@@ -274,7 +272,7 @@ def _row(
     """A quantity with its segment [mm]: its value by the plan, and by the formulas."""
     (name, segment), (found, exact) = names, values
     lever = "–" if length is None else spelt(significant(length, 4))
-    apart = spelt(f"{100 * abs(found - exact) / exact:.1f}") if exact else "–"
+    apart = spelt(f"{100 * abs(found - exact) / exact:.2f}") if exact else "–"
     label = told.result.labels[told.rows[k]]
     return label, name, f"{segment} = {spelt(f'{size:.1f}')}", lever, _said(found), _said(exact), apart
 

@@ -22,7 +22,7 @@ from tmmcalc.report.drawing.pens import VECTORS
 from tmmcalc.report.drawing.scales import factor_text, standard_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.drawing.tables import draw_table
-from tmmcalc.report.language import tr, tr_name, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_measured, tr_name, tr_number, tr_unit
 from tmmcalc.report.numbers import number
 
 HEADING, TITLE, FOOT = 7.0, 6.0, 5.0  # room of the heading, of the name of a plan, of the kinds of lines [mm]
@@ -126,17 +126,25 @@ def _both(plan: VectorPolygons, scale: PlanScale) -> list[tuple[str, Polygon, fl
     return [("v", plan.velocity, scale.velocity), ("a", plan.acceleration, scale.acceleration)]
 
 
-def draw_plans_of_kind(
-    drawing: Drawing, box: Box, result: Kinematics, plans: Sequence[VectorPolygons], letter: str, mu: float = 0.0
-) -> list[Board]:
-    """The plans of velocities (``v``) or of accelerations (``a``) of some positions side by side, to one scale, ``mu``.
+class _Row(NamedTuple):
+    """Plans of one kind side by side."""
 
-    Without it they are as large as a standard one allows.
-    """
-    head, height = TITLE * drawing.letters, 2.5 * drawing.letters
-    drawn = [plan.velocity if letter == "v" else plan.acceleration for plan in plans]
-    tips = [np.array([*each.vertices.values()]) for each in drawn]
-    wide = [float(np.ptp(each.real)) for each in tips]
+    polygons: list[Polygon]
+    parts: list[Box]
+    fields: list[Box]  # what of the parts is left to the plans
+    turning: list[list[str]]  # lines of words about the links that turn
+
+    @property
+    def scale(self) -> float:
+        """The standard scale factor at which all of them are as large as they can be."""
+        tips = [np.array([*each.vertices.values()]) for each in self.polygons]
+        return standard_scale(max(needed(z, field, MARGIN) for z, field in zip(tips, self.fields, strict=True)))
+
+
+def _row(box: Box, plans: Sequence[VectorPolygons], letter: str, larger: float) -> _Row:
+    head, height = TITLE * larger, 2.5 * larger
+    polygons = [plan.velocity if letter == "v" else plan.acceleration for plan in plans]
+    wide = [float(np.ptp(np.array([*each.vertices.values()]).real)) for each in polygons]
     shares = [max(each, max(wide) / 3) or 1.0 for each in wide]
     parts = box.inset(0, 0, 0, head).split(*shares, across=True)
     small = SMALL * height
@@ -144,18 +152,29 @@ def draw_plans_of_kind(
         wrapped(_rotations(plan, letter), part.width - GAP, small) for plan, part in zip(plans, parts, strict=True)
     ]
     foot = LINE * small * max(map(len, turning))
-    fields = [part.inset(0, foot, 0, head) for part in parts]
-    mu = mu or standard_scale(
-        max(
-            needed(np.array([*each.vertices.values()]), field, MARGIN)
-            for each, field in zip(drawn, fields, strict=True)
-        )
-    )
+    return _Row(polygons, [*parts], [part.inset(0, foot, 0, head) for part in parts], turning)
+
+
+def scale_of_kind(box: Box, plans: Sequence[VectorPolygons], letter: str) -> float:
+    """The scale factor to which `draw_plans_of_kind` draws them in a rectangle, where no other is asked for."""
+    return _row(box, plans, letter, 1.0).scale
+
+
+def draw_plans_of_kind(
+    drawing: Drawing, box: Box, result: Kinematics, plans: Sequence[VectorPolygons], letter: str, mu: float = 0.0
+) -> list[Board]:
+    """The plans of velocities (``v``) or of accelerations (``a``) of some positions side by side, to one scale, ``mu``.
+
+    Without it they are as large as a standard one allows.
+    """
+    height = 2.5 * drawing.letters
+    row = _row(box, plans, letter, drawing.letters)
+    mu = mu or row.scale
     drawing.add(Words(complex(box.middle.real, box.top), scale_note(letter, mu), height, 1j))
     boards = []
-    for part, field, plan, polygon, said in zip(parts, fields, plans, drawn, turning, strict=True):
+    for plan, polygon, part, field, said in zip(plans, *row, strict=True):
         title = complex(part.middle.real, part.top)
-        drawing.add(Words(complex(part.middle.real, part.bottom), "\n".join(said), small, -1j))
+        drawing.add(Words(complex(part.middle.real, part.bottom), "\n".join(said), SMALL * height, -1j))
         drawing.add(Words(title, position_text(result, plan.position), height, 1j))
         boards.append(draw_polygon(drawing, field, polygon, letter, plan.fixed, mu))
     return boards
@@ -203,7 +222,7 @@ def _segment_rows(polygon: Polygon, letter: str, mu: float) -> list[list[str]]:
 def _size(rate: float, largest: float) -> str:
     """The size of an angular velocity or acceleration with its sense."""
     still = abs(rate) <= STILL * largest
-    return "0" if still else f"{number(abs(rate), 5)}\u00a0{SENSES[rate > 0]}"
+    return "0" if still else f"{tr_measured(f'{abs(rate):.5g}')}\u00a0{SENSES[rate > 0]}"
 
 
 def _draw_kinds(drawing: Drawing, box: Box, plan: VectorPolygons) -> None:

@@ -30,6 +30,7 @@ TOGETHER = ROWS // STEPS  # variants whose surveys are evaluated together
 MARGIN = 0.02  # squared sine above which a dyad is nowhere near to a limit position
 SWIFT = 1.0  # a link that turns more in one step [rad] is looked at alone
 SLOW = 0.125  # near to a limit position: the same where signs of rates are sampled, in half a step
+ENDS = 2  # dead centres of the first output that make position 0
 STEP = TURN / STEPS
 X = STEP * np.arange(STEPS) - math.pi - STEP / 2
 
@@ -74,7 +75,8 @@ def settle(
         own = chain(variant)
         return np.asarray(_rates(own, own.evaluate(at), outputs, rubbing, at.size)[function, np.arange(at.size)])
 
-    turning = zeros(f, X, rates, largest) if len(rates) else Zeros((), clear)
+    ends = ENDS if asked else None  # with others no position 0 is found
+    turning = zeros(f, X, rates, largest, ends) if len(rates) else Zeros((), clear)
     clear = clear & turning.clear
     start: Real | float = chain.tree.mechanism.input.start or 0.0
     centres: Real = np.zeros((count, 0))
@@ -172,8 +174,8 @@ def _ordered(chain: Rows[Chain], centres: Real, count: int) -> tuple[Real, Real,
 
     And which variants leave no doubt about it.
     """
-    if centres.shape[1] != 2:
-        return np.zeros((count, 2)), np.zeros((count, 2)), np.zeros(count, bool)
+    if centres.shape[1] != ENDS:
+        return np.zeros((count, ENDS)), np.zeros((count, ENDS)), np.zeros(count, bool)
     own = chain(np.repeat(np.arange(count), 2))
     output, speed = default_outputs(own)[0], chain.tree.mechanism.input.speed
     values = np.broadcast_to(coordinate_of(own, output, own.evaluate(centres.ravel()))[0], centres.size)

@@ -26,19 +26,24 @@ class Zeros(NamedTuple):
     clear: Flags
 
 
-def zeros(f: Rates, x: Real, values: Real, scales: Real) -> Zeros:
-    """All zeros of periodic functions from their samples (F, V, n) at the equal steps ``x`` (n,); scales (F, V)."""
+def zeros(f: Rates, x: Real, values: Real, scales: Real, first: int | None = None) -> Zeros:
+    """All zeros of periodic functions from their samples (F, V, n) at the equal steps ``x`` (n,); scales (F, V).
+
+    ``first`` is how many the first function has to have, None: as many as that of the most variants.
+    """
     cells, clear = _cells(values, scales)
     counts = cells.sum(axis=2)
+    if first is not None:
+        clear &= counts[0] == first
     usual = np.array([np.bincount(row[clear]).argmax() if clear.any() else 0 for row in counts])
     clear &= np.all(counts == usual[:, None], axis=0)
     function, variant, cell = np.nonzero(cells & clear[:, None])
     after = np.roll(values, -1, axis=2)
     low, high = values[function, variant, cell], after[function, variant, cell]
     step = x[1] - x[0]
-    first = x[cell] + step * low / np.where(low == high, 1.0, low - high)
+    guess = x[cell] + step * low / np.where(low == high, 1.0, low - high)
     found = bracketed(
-        lambda at, which: f(at, variant[which], function[which]), x[cell], x[cell] + step, known=(low, high, first)
+        lambda at, which: f(at, variant[which], function[which]), x[cell], x[cell] + step, known=(low, high, guess)
     )
     places = []
     for k, count in enumerate(usual.tolist()):

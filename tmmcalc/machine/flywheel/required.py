@@ -12,6 +12,8 @@ import math
 from dataclasses import replace
 from itertools import pairwise
 
+import numpy as np
+
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.collocation import Orbit
@@ -21,7 +23,7 @@ from tmmcalc.machine.flywheel.methods import METHODS, check, tangents
 from tmmcalc.machine.flywheel.results import RequiredInertia, Trial
 from tmmcalc.machine.flywheel.search import Model, inertia_between, least_inertia, sufficient, tried
 from tmmcalc.machine.motors.characteristics import Characteristic
-from tmmcalc.machine.onemass import OneMass, vanishing
+from tmmcalc.machine.onemass import SPEEDS, OneMass, vanishing
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.settling import Halt, directly, followed, guessed
 from tmmcalc.machine.stall import stall_inertia
@@ -35,6 +37,7 @@ ABOVE = 2.0  # times the inertia that just does not stall: where the search begi
 THRESHOLD = 1e-3  # relative tolerance of the inertia that just does not stall, which is told
 EQUAL = 1e-9  # relative differences of delta that do not count as rising
 MARGIN = 2.0  # of the slope between trials, which is not that at the root
+PEAK = 1.02  # times the largest moment of the motor at some speeds: more it has at none
 APART = 1e-3  # relative difference of delta from which on two trials tell a slope
 NOISE = 1e-12  # nor absolute ones: delta is a difference of two speeds, and has their rounding
 
@@ -55,19 +58,51 @@ def required_inertia(
     """Least constant inertia, not below ``constant_inertia`` [kg*m^2], with delta <= ``delta`` under the motor.
 
     ``characteristic`` is the motor's moment on the input shaft, ``time_constant`` its lag [s]; ``probes`` inertias in
-    between are tried for an earlier root; ``sense`` is -1 where the input turns clockwise; ``remarked``: of a machine
-    that stalls without a flywheel the inertia is found that just carries it, which costs most. Raises
-    `NoSolutionError` if the motor cannot carry the load with any inertia, `UsageError` for a ``delta`` outside (0, 1).
+    between are tried for an earlier root; ``sense`` is -1 where the input turns clockwise; ``remarked``: what the
+    machine does without a flywheel is told, and of one that stalls the inertia that just carries it, which costs most.
+    Raises `NoSolutionError` if the motor cannot carry the load with any inertia, `UsageError` for a ``delta`` outside
+    (0, 1).
     """
     check(delta, cycle.speed, constant_inertia)
     trials, near = _ample(cycle, characteristic, delta, constant_inertia, time_constant, sense)
     motions, start = Motions(cycle, characteristic, time_constant, near), trials[-1]
-    first, root = searched(motions.delta, delta, constant_inertia, trials, lagging=time_constant > 0, probes=probes)
+
+    def model(inertia: float) -> float | None:
+        if not remarked and surely_uneven(cycle, characteristic, inertia, delta):
+            return None  # by how much, or whether it stalls, takes as long as all the rest
+        return motions.delta(inertia)
+
+    first, root = searched(model, delta, constant_inertia, trials, lagging=time_constant > 0, probes=probes)
     regime = near if root is start else motions.regime(root.inertia)
+    if not remarked:
+        return replace(result_of(first, root, regime, trials, None, delta), remarks=())
     carrying = None
-    if first.delta is None and remarked:
+    if first.delta is None:
         carrying = _carrying(cycle, characteristic, time_constant, first.inertia)
     return result_of(first, root, regime, trials, carrying, delta)
+
+
+def surely_uneven(cycle: Cycle, characteristic: Characteristic, constant_inertia: float, delta: float) -> bool:
+    """Whether no steady motion with an inertia [kg*m^2] keeps ``delta``, as its energy could not cover the work.
+
+    Between two angles the loads take at least the work that is left if the motor gave its largest moment all the
+    way; the energy of a motion within ``delta`` falls by what is between its bounds at most. Nothing is sure where
+    loads drive, for then the motor does not bound the speed.
+    """
+    fastest = characteristic.synchronous
+    if fastest is None or fastest <= 0 or np.any(cycle.viscous > 0) or np.any(cycle.quadratic > 0):
+        return False
+    if float(cycle.panels.total(cycle.moment)) >= 0:
+        return False
+    slowest = (1 - delta / 2) / (1 + delta / 2)  # of a motion, over its fastest speed
+    energy = (fastest / slowest) ** 2 / 2  # of 1 kg*m^2: the motor drives somewhere, so below its no-load speed
+    speeds = np.append(fastest * SPEEDS, characteristic.critical or fastest)
+    largest = PEAK * float(np.max(characteristic.moment(speeds)))
+    work, _ = cycle.panels.primitive(cycle.moment + largest)
+    inertia = cycle.inertia + constant_inertia
+    before = np.maximum.accumulate((work - energy * inertia).ravel())
+    after = work.ravel() - energy * slowest**2 * float(np.min(inertia))
+    return bool(np.any(before > after))
 
 
 def fluctuation(cycle: Cycle, characteristic: Characteristic, time_constant: float = 0.0) -> Model:

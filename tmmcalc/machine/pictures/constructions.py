@@ -189,8 +189,6 @@ def draw_ordinates(drawing: Drawing, box: Box, machine: Machine) -> tuple[float,
     own, excess = machine.rows["mertsalov_by_cycle"], machine.rows["artobolevsky_by_cycle"]
     for diagram, theta in product((above, below), (excess.at_max, excess.at_min)):
         diagram.vertical(math.degrees(theta), PROJECTED)
-        across = diagram.place(complex(math.degrees(theta), 0.0)).real
-        diagram.labels.avoid([complex(across, diagram.box.bottom), complex(across, diagram.box.top)], 0.5)
     _mark_rest(above, own, factors[0], mu_a)
     for word, theta, work, links in (
         ("a", excess.at_max, excess.work_max, excess.links_max),

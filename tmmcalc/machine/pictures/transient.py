@@ -14,7 +14,7 @@ from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import BELOW, SIDES, suited
 from tmmcalc.report.drawing.diagram import ROW, Axis, Diagram, key_rows, room
-from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.lettering import minus, width
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import CURVES, MARK, Pen
@@ -26,7 +26,7 @@ LISTED = 8  # events whose names are written out
 TAIL = 0.5  # of the time at its end that is magnified
 SWING = 0.2  # of the range of the speed: a tail that swings by more needs no magnifying
 SMALL = 0.02  # of the height of a panel: a curve that goes no deeper below zero is cut there
-LATE = 0.95  # of the time: an event after it is numbered on its left
+EVENT_HIGH, BESIDE = 1.9, 0.7  # height of the numbers of events, and how far they stand from their lines [mm]
 ROOM = 0.15  # of the range of a magnified tail, below and above it
 EVENT = Pen("EVENTS", 0.2, (1.6, 1.2), MARK.colour)
 
@@ -150,14 +150,20 @@ def _events(events: Sequence[Event]) -> str:
 
 
 def _name_events(diagram: Diagram, events: Sequence[Event]) -> None:
-    """Numbers of the events in the uppermost panel; those of one instant stand together."""
+    """Numbers of the events in the uppermost panel; those of one instant stand together.
+
+    On the right of their line, but where the next one is too near.
+    """
     together: dict[float, list[str]] = {}
     for k, event in enumerate(events, 1):
         together.setdefault(event.time, []).append(str(k))
-    for time, numbers in together.items():
-        side = 1 if time > LATE * diagram.x.high else -1
-        at = complex(diagram.place(complex(time, 0)).real - 0.7 * side, diagram.box.top - 0.8)
-        words = Words(at, ", ".join(numbers), 1.9, side + 1j, colour=MARK.colour, clear=True)
+    lines = [diagram.place(complex(time, 0)).real for time in together]
+    free = np.diff([diagram.box.left, *lines, diagram.box.right])  # on the left of each line, and of the border
+    for line, numbers, left, right in zip(lines, together.values(), free[:-1], free[1:], strict=True):
+        text = ", ".join(numbers)
+        side = 1 if right < width(text, EVENT_HIGH) + 2 * BESIDE and right < left else -1
+        at = complex(line - BESIDE * side, diagram.box.top - 0.8)
+        words = Words(at, text, EVENT_HIGH, side + 1j, colour=MARK.colour, clear=True)
         diagram.drawing.add(words, level=20)
 
 

@@ -69,7 +69,7 @@ def unmeasured(tail: float, kinematics: ErrorEstimate) -> ReductionError:
 
 def estimate(causes: Causes, found: Solved, scale: float, kinematics: Kinematics) -> tuple[ReductionError, Real]:
     """The errors of a reduction, those of moments against ``scale`` [N*m]; those of the works (S,) [J]."""
-    # a scale alone: across a change of sign the rule is good enough for it, and far cheaper than `signs.turnover`
+    # a scale alone: across a change of sign the rule is good enough for it, and far cheaper than `signs.turnovers`
     turnover = found.dense.total(np.abs(found.values[3:])) * causes.powers
     on, count = found.dense, len(found.values) - 3
     again, digit = _again(causes, found), None

@@ -10,6 +10,8 @@ from tmmcalc.machine.motion import Positions
 from tmmcalc.machine.nodes import LEVEL, at_speed, both_sides, nodal_tables
 from tmmcalc.machine.reduction.results import Reduction
 
+ROUNDING = 1e-12  # of the largest moment of a single cause: nothing but rounding
+
 
 class Jumps(NamedTuple):
     """Rows of the positions in which moments jump."""
@@ -30,7 +32,8 @@ def jumps(result: Reduction, *, loads: bool) -> Jumps:
         return Jumps([], [])
     parts = result.parts[wanted]
     after, before = both_sides(result.cycle, parts, Positions.of(result).theta)
-    jumping = np.abs(after - before) > LEVEL * np.max(np.abs(parts), axis=(1, 2))[:, None]
+    least = np.maximum(LEVEL * np.max(np.abs(parts), axis=(1, 2)), ROUNDING * _largest(result))
+    jumping = np.abs(after - before) > least[:, None]
     told, sizes = np.abs(result.moment[wanted]), np.abs((after, before))
     larger = np.abs(told - np.max(sizes, axis=0)) < np.abs(told - np.min(sizes, axis=0))
     rows, kept = jumping.any(axis=0), (larger | ~jumping).all(axis=0)
@@ -38,8 +41,16 @@ def jumps(result: Reduction, *, loads: bool) -> Jumps:
 
 
 def nodal_jumps(result: Reduction, speed: float) -> list[int]:
-    """Rows in which the textbook's methods, to which the larger load counts at a jump, take another moment."""
+    """Rows in which the textbook's methods, to which the larger load counts at a jump, take another moment.
+
+    Of moments that cancel only what is more than rounding of them is a jump.
+    """
     taken, own = nodal_tables(result.cycle, len(result.phi) - 1, speed)[0], Positions.of(result).moment
     assert own is not None
-    size = float(np.max(np.abs(at_speed(result.cycle, speed))))
-    return np.flatnonzero(np.abs(taken - own) > LEVEL * size).tolist()
+    least = max(LEVEL * float(np.max(np.abs(at_speed(result.cycle, speed)))), ROUNDING * _largest(result))
+    return np.flatnonzero(np.abs(taken - own) > least).tolist()
+
+
+def _largest(result: Reduction) -> float:
+    """The largest moment of a single cause."""
+    return float(np.max(np.abs(result.parts), initial=0.0))

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.numerics.panels import Panels, Values
@@ -98,7 +99,7 @@ def driving(dense: Panels, part: Values, *, whole: bool) -> list[Range]:
     >>> [[round(float(v), 9) for v in found] for found in driving(on, np.cos(on.x), whole=True)]
     [[4.71238898, 1.570796327, 2.0]]
     """
-    cuts = np.sort(np.concatenate((dense.edges, _changes(dense, part))))
+    cuts = np.sort(np.concatenate((dense.edges, *_changes(dense, part[None]))))
     works = np.diff(dense.primitive_at(part, cuts))
     found: list[Range] = []
     for k in np.flatnonzero(works > NOTHING * float(dense.total(np.abs(part)))):
@@ -112,19 +113,27 @@ def driving(dense: Panels, part: Values, *, whole: bool) -> list[Range]:
     return found
 
 
-def turnover(dense: Panels, part: Values) -> float:
-    """Work of the magnitude of a moment (K, N)."""
-    cuts = np.sort(np.concatenate((dense.edges, _changes(dense, part))))
-    return float(np.sum(np.abs(np.diff(dense.primitive_at(part, cuts)))))
+def turnovers(dense: Panels, parts: Values) -> list[float]:
+    """Work of the magnitude of each moment (S, K, N)."""
+    found = []
+    for part, inner in zip(parts, _changes(dense, parts), strict=True):
+        cuts = np.sort(np.concatenate((dense.edges, inner)))
+        found.append(float(np.sum(np.abs(np.diff(dense.primitive_at(part, cuts))))))
+    return found
 
 
-def _changes(dense: Panels, part: Values) -> Values:
-    """Places (m,) within the panels where a function (K, N) changes its sign."""
-    low, high = dense.ends(part)
-    values = np.concatenate((low[:, None], part, high[:, None]), axis=1) + 0.0  # no -0.0, which would be a change
+def _changes(dense: Panels, parts: Values) -> list[Values]:
+    """Places within the panels where each function (S, K, N) changes its sign."""
+    low, high = dense.ends(parts)
+    values = np.concatenate((low[..., None], parts, high[..., None]), axis=-1) + 0.0  # no -0.0, which would be a change
     inner = np.nextafter(dense.edges[1:], dense.edges[:-1])  # what is read on the edge itself is the panel after it
     at = np.concatenate((dense.edges[:-1, None], dense.x, inner[:, None]), axis=1)
-    k, i = np.nonzero(np.signbit(values[:, 1:]) != np.signbit(values[:, :-1]))
-    low, high, below, above = at[k, i], at[k, i + 1], values[k, i], values[k, i + 1]
+    part, k, i = np.nonzero(np.signbit(values[..., 1:]) != np.signbit(values[..., :-1]))
+    low, high, below, above = at[k, i], at[k, i + 1], values[part, k, i], values[part, k, i + 1]
     first = low + (high - low) * (below / np.where(below == above, 1.0, below - above))
-    return bracketed(lambda x, _: dense.at(part, x), low, high, known=(below, above, first))
+
+    def own(x: Values, which: NDArray[np.intp]) -> Values:
+        return np.asarray(dense.at(parts, x)[part[which], np.arange(len(x))])
+
+    places = bracketed(own, low, high, known=(below, above, first))
+    return [places[part == number] for number in range(len(parts))]

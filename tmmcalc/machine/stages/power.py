@@ -85,12 +85,12 @@ def power_of(reduction: Reduction, line: DriveLine) -> Power:
     """Work and power of the cycle, without a motor."""
     from tmmcalc.linkage.errors import MARGIN
     from tmmcalc.machine.power import WorkPart, solve_power
-    from tmmcalc.machine.reduction.signs import turnover
+    from tmmcalc.machine.reduction.signs import turnovers
     from tmmcalc.machine.stages.shaft import sense
 
+    moved = turnovers(reduction.cycle.panels, reduction.parts)
     parts = tuple(
-        WorkPart(c.name, c.kind, c.work, turnover(reduction.cycle.panels, part), c.error)
-        for c, part in zip(reduction.contributions, reduction.parts, strict=True)
+        WorkPart(c.name, c.kind, c.work, work, c.error) for c, work in zip(reduction.contributions, moved, strict=True)
     )
     # the margin is for worse places that were not looked at; at one place those of all causes add up by their squares
     rounding = reduction.error.moment / MARGIN * len(parts) ** 0.5

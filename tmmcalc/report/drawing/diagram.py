@@ -29,6 +29,7 @@ ROW = 4.2  # height of a row of it
 AIR = 4.0  # behind a name in it, or between it and a title
 DOT = 0.42  # radius of a marked position [mm]
 NOISE = 1e-12  # of the largest value
+RULED = 0.5  # weight by which names keep clear of straight lines across and along
 FEWEST, CLOSEST = 3, 1.5  # ticks of an ordinate though they stand nearer than that, so many heights of its numbers
 FEW = 3  # a logarithmic axis that spans fewer decades has ticks at 1, 2 and 5 of each
 
@@ -120,7 +121,9 @@ class Diagram(Field):
             draw.add(Words(complex(box.left - 1.5, at), written(value, up), height, 1))
         if not self.y.log and self.y.low < 0 < self.y.high:
             at = self.place(complex(self.x.low, 0.0)).imag
-            draw.line([complex(box.left, at), complex(box.right, at)], MIDDLE, level=-1)
+            zero = [complex(box.left, at), complex(box.right, at)]
+            draw.line(zero, MIDDLE, level=-1)
+            self.labels.avoid(zero, RULED)
         corners = [complex(box.left, box.bottom), complex(box.right, box.bottom)]
         corners += [complex(box.right, box.top), complex(box.left, box.top)]
         draw.line(corners, THIN, closed=True, level=-1)
@@ -187,7 +190,7 @@ class Diagram(Field):
             at = self.place(complex(self.x.low, y)).imag
             ends = [complex(self.box.left, at), complex(self.box.right, at)]
             self.drawing.line(ends, pen, level=1)
-            self.labels.avoid(ends, 0.5)
+            self.labels.avoid(ends, RULED)
             if name:
                 height = 0.85 * HEIGHT * self.drawing.letters
                 self.drawing.add(Words(complex(self.box.right - 1.0, at + 0.7), name, height, 1 - 1j), level=5)
@@ -207,10 +210,12 @@ class Diagram(Field):
         return here
 
     def vertical(self, x: float, pen: Pen) -> None:
-        """A line across at a place of the abscissa."""
+        """A line across at a place of the abscissa; names keep clear of it."""
         if self.x.has(x):
             at = self.place(complex(x, self.y.low)).real
-            self.drawing.line([complex(at, self.box.bottom), complex(at, self.box.top)], pen, level=1)
+            ends = [complex(at, self.box.bottom), complex(at, self.box.top)]
+            self.drawing.line(ends, pen, level=1)
+            self.labels.avoid(ends, RULED)
 
 
 def named(header: str) -> str:

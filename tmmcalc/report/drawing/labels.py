@@ -29,6 +29,7 @@ FURTHER = (4.0, 6.0, 8.5, 11.5, 15.0, 19.0, 24.0, 30.0)  # gaps of a name that f
 FAR = 3.0  # a name that stands farther from its anchor has a leader [mm]
 SLANT, FLAT = 0.3, 1.0  # slope of a leader below which it is level; what that costs
 NO_STROKES = np.empty((0, 2), complex)
+NINE = np.linspace(0.0, 1.0, 9)  # places along a leader
 TOUCHING = 0.3  # strokes nearer than this all along are told apart by no name [mm]
 AWAY, LIKED, SECOND = 0.8, 0.5, 0.4  # cost of each gap farther away, gain of the preferred side, cost of a later anchor
 CROSSED = 3.0  # what it costs a leader to cross another name, by mm
@@ -62,9 +63,9 @@ class Labels:
         self.drawing, self.box = drawing, box
         self.faults: list[Fault] = []
         self.count = 0
-        self._points: list[Plane] = []
-        self._weights: list[Real] = []
-        self._taken: list[tuple[float, float, float, float]] = []
+        self._new: list[tuple[Plane, float]] = []  # points with their weight, not yet among those below
+        self._points = np.empty((3, 0))  # x, y and weight of the points that stand for what is drawn, each in a row
+        self._taken = np.empty((4, 0))  # left, right, bottom and top of what names and others take
 
     def avoid(self, line: Iterable[complex], weight: float = 1.0) -> None:
         """Keep clear of this line on paper, the more the greater the weight."""
@@ -77,20 +78,20 @@ class Labels:
 
     def avoid_points(self, points: Plane, weight: float = 1.0) -> None:
         """Keep clear of single points on paper."""
-        self._points.append(points)
-        self._weights.append(np.full(len(points), weight))
+        self._new.append((points, weight))
 
     def keep(self, corners: Plane) -> None:
         """Keep a rectangle free of names, as of one that stands there."""
-        low, high = corners.real.min(), corners.real.max()
-        self._taken.append((float(low), float(high), float(corners.imag.min()), float(corners.imag.max())))
+        x, y = corners.real, corners.imag
+        self._take(x.min(), x.max(), y.min(), y.max())
 
     def crowded(self, line: Sequence[complex], reach: float) -> float:
         """How much of what is drawn lies within ``reach`` mm of a line on paper, by weight."""
         count = max(2, int(abs(line[-1] - line[0]) / STEP))
         along = line[0] + (line[-1] - line[0]) * np.linspace(0, 1, count)
-        points, weights = self._around(along, reach)
-        near = np.min(np.abs(points[:, None] - along), axis=1, initial=np.inf) < reach
+        x, y, weights = self._around(along, reach, reach)
+        apart = np.subtract.outer(along.real, x) ** 2 + np.subtract.outer(along.imag, y) ** 2
+        near = apart.min(axis=0) < reach**2
         outside = (along.real < self.box.left) | (along.real > self.box.right)
         outside |= (along.imag < self.box.bottom) | (along.imag > self.box.top)
         return float(weights[near].sum() + OUTSIDE * outside.any())
@@ -133,7 +134,7 @@ class Labels:
         if cost > COVERED:
             self.faults.append(Fault(text, at, cost))
         self._lead(anchor, at, half, ring=ring)
-        self._taken.append((at.real - half[0], at.real + half[0], at.imag - half[1], at.imag + half[1]))
+        self._take(at.real - half[0], at.real + half[0], at.imag - half[1], at.imag + half[1])
         if ring:
             self.drawing.add(Arc(at, radius, THIN, fill=WHITE), level=LEVEL)
         self.drawing.add(Words(at, text, height, colour=colour, clear=not ring), level=LEVEL)
@@ -189,23 +190,25 @@ class Labels:
                     best = Place(complex(tried[at]), anchor, float(cost[at]), whole)
         return best
 
+    def _take(self, left: float, right: float, bottom: float, top: float) -> None:
+        self._taken = np.column_stack((self._taken, (left, right, bottom, top)))
+
     def _crossed(self, anchor: complex, centres: Plane, half: tuple[float, float]) -> Real:
         """What the leaders (n,) from an anchor to names at these places cost for the names that they cross."""
         along = centres - anchor
         edges = _edge(along, half)
-        on = anchor + edges[:, None] * along[:, None] * np.linspace(0.0, 1.0, 9)
-        over = self._within(on).sum(axis=(0, 2))
-        return np.where(edges * np.abs(along) > FAR, CROSSED * over, 0.0)
+        found = np.zeros(len(centres))
+        led = edges * np.abs(along) > FAR
+        if led.any():
+            on = anchor + (edges[led] * along[led])[:, None] * NINE
+            found[led] = CROSSED * self._within(on).sum(axis=(0, 2))
+        return found
 
     def _within(self, on: Plane) -> NDArray[np.bool_]:
         """Which places lie on each rectangle that is taken, or close to it; (rectangles, *places)."""
-        x0, x1, y0, y1 = self._rectangles(on.ndim)
+        x0, x1, y0, y1 = self._taken.reshape(4, -1, *[1] * on.ndim)
         across = (on.real > x0 - AIR) & (on.real < x1 + AIR)
         return np.asarray(across & (on.imag > y0 - AIR) & (on.imag < y1 + AIR))
-
-    def _rectangles(self, axes: int) -> Real:
-        """The sides (4, rectangles, 1, ...) of what is taken, against places on so many axes."""
-        return np.array(self._taken, float).reshape(-1, 4).T.reshape(4, -1, *[1] * axes)
 
     def _lead(self, anchor: complex, at: complex, half: tuple[float, float], *, ring: bool) -> None:
         """The leader of a name that stands far from its anchor; a level one would read as a minus sign before it."""
@@ -214,31 +217,34 @@ class Labels:
             end = anchor + edge * (at - anchor)
             way = end - anchor
             if not ring and abs(way.imag) < SLANT * abs(way.real):
-                end = complex(end.real, at.imag + math.copysign(half[1], way.imag))  # at the far corner
+                if abs(at.real - anchor.real) > half[0]:  # to the far corner of the nearer side
+                    end = at + complex(-math.copysign(half[0], way.real), math.copysign(half[1], way.imag))
+                else:
+                    end = complex(anchor.real, end.imag)
             line = [anchor + 0.15 * (end - anchor), end]
             self.drawing.line(line, THIN, level=12)
             self.avoid(line, 0.5)
 
-    def _around(self, line: Plane, reach: float) -> tuple[Plane, Real]:
-        """The points that stand for what is drawn, with their weights: those within ``reach`` mm of a line and more."""
-        if not self._points:
-            return np.empty(0, complex), np.empty(0)
-        if len(self._points) > 1:
-            self._points, self._weights = [np.concatenate(self._points)], [np.concatenate(self._weights)]
-        (points,), (weights,) = self._points, self._weights
-        beyond = reach + STEP  # a box that rounding cannot make too small
-        inside = (points.real > line.real.min() - beyond) & (points.real < line.real.max() + beyond)
-        inside &= (points.imag > line.imag.min() - beyond) & (points.imag < line.imag.max() + beyond)
-        return points[inside], weights[inside]
+    def _around(self, line: Plane, wide: float, high: float) -> Real:
+        """The points (3, n) that stand for what is drawn: those so near to a line on paper [mm], and more."""
+        if self._new:
+            rows = [np.array((points.real, points.imag, np.full(len(points), weight))) for points, weight in self._new]
+            self._points = np.concatenate([self._points, *rows], axis=1)
+            self._new.clear()
+        x, y, _ = self._points
+        at, up = line.real, line.imag
+        wide, high = wide + STEP, high + STEP  # a box that rounding cannot make too small
+        inside = (x > at.min() - wide) & (x < at.max() + wide) & (y > up.min() - high) & (y < up.max() + high)
+        return self._points.compress(inside, axis=1)
 
     def _covered(self, centres: Plane, half: tuple[float, float]) -> Real:
         """What a name would cover with its middle at each of these places, by weight."""
         wide, high = half[0] + AIR, half[1] + AIR
-        points, weights = self._around(centres, max(wide, high))
-        under = np.abs(np.subtract.outer(centres.real, points.real)) < wide
-        under &= np.abs(np.subtract.outer(centres.imag, points.imag)) < high
+        x, y, weights = self._around(centres, wide, high)
+        under = np.abs(np.subtract.outer(centres.real, x)) < wide
+        under &= np.abs(np.subtract.outer(centres.imag, y)) < high
         cost = under @ weights
-        x0, x1, y0, y1 = self._rectangles(1)
+        x0, x1, y0, y1 = self._taken[:, :, None]
         over_x = np.minimum(centres.real + wide, x1) - np.maximum(centres.real - wide, x0)
         over_y = np.minimum(centres.imag + high, y1) - np.maximum(centres.imag - high, y0)
         cost = cost + np.where((over_x > 0) & (over_y > 0), 12 + 4 * over_x * over_y, 0.0).sum(axis=0)

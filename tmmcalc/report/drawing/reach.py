@@ -24,6 +24,9 @@ def reach(shape: Shape) -> Box:
     """
     if isinstance(shape, Dimension):
         return around(map(reach, shape.parts()))
+    if isinstance(shape, Arc) and shape.whole:
+        at, r = shape.centre, shape.radius
+        return Box(at.real - r, at.imag - r, at.real + r, at.imag + r)
     z = corners(shape) if isinstance(shape, Words) else _extremes(shape) if isinstance(shape, Arc) else shape.points
     return Box(float(z.real.min()), float(z.imag.min()), float(z.real.max()), float(z.imag.max()))
 
@@ -35,9 +38,7 @@ def around(boxes: Iterable[Box]) -> Box:
 
 
 def _extremes(arc: Arc) -> Plane:
-    """Ends of an arc, and where it turns round on its way."""
-    if arc.whole:
-        return arc.points
+    """Ends of an arc that is no whole circle, and where it turns round on its way."""
     quarters = np.arange(math.ceil(2 * arc.start / math.pi), math.floor(2 * arc.end / math.pi) + 1) * math.pi / 2
     angles = np.concatenate([[arc.start, arc.end], quarters])
     return np.asarray(arc.centre + arc.radius * np.exp(1j * angles))

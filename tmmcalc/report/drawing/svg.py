@@ -11,10 +11,10 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from itertools import groupby, pairwise
 from typing import NamedTuple
-from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
+from tmmcalc.core.escaping import escape, quoteattr
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.lettering import FAMILY, Placed, em, line
 from tmmcalc.report.drawing.pens import INK, Pen

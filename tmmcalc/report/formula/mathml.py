@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from xml.sax.saxutils import escape
-
+from tmmcalc.core.escaping import escape
 from tmmcalc.report.formula import layout
 from tmmcalc.report.formula.setting import spelt
 

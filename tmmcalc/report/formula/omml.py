@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from xml.sax.saxutils import escape, quoteattr
-
+from tmmcalc.core.escaping import escape, quoteattr
 from tmmcalc.report.formula import layout
 from tmmcalc.report.formula.setting import spelt
 

@@ -215,7 +215,7 @@ def _jumps(of: Loaded, rows: Sequence[int]) -> Iterator[Paragraph]:
     phi = positions.phi[inner]
     told = at_rows(of.task, of.loads, Positions(phi, positions.piece[inner], ())).force
     before, after = at_rows(of.task, of.loads, sides(of.task.program, phi)).force.reshape(2, -1)
-    jumping = np.abs(after - before) > JUMP * np.maximum(np.abs(before), np.abs(after))
+    jumping = np.abs(after - before) > JUMP * np.max(np.abs((before, after)), initial=0.0)
     found = [of.result.labels[row] for row in inner[jumping & (told == after)]]
     if found:
         labels = ", ".join(found)

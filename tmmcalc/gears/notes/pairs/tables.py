@@ -17,7 +17,7 @@ PLACES = 4  # its decimals at most
 def parameters(caption: str, names: Sequence[str], lexicon: Lexicon, key: str) -> Table:
     """The quantities of a lexicon that are there and are something; shifts that are nothing too."""
     rows = [
-        (given.meaning, f"${name}$", shown_unit(given.unit), shown(given)) for name, given in _known(names, lexicon)
+        (given.meaning, f"${name}$", shown_unit(given.unit), shown(given)) for name, given in something(names, lexicon)
     ]
     head = tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value")
     return Table(caption, head, tuple(rows), key)
@@ -38,7 +38,8 @@ def of_wheels(
     return Table(caption, head, tuple(rows), key)
 
 
-def _known(names: Sequence[str], lexicon: Lexicon) -> Iterator[tuple[str, Given]]:
+def something(names: Sequence[str], lexicon: Lexicon) -> Iterator[tuple[str, Given]]:
+    """Those of the names that are there and are something; shifts that are nothing too."""
     for name in names:
         given = lexicon.get(canonical(name))
         if given is not None and (given.value or name[0] == "x"):

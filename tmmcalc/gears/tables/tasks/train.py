@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.notes import Phrase
@@ -119,8 +120,14 @@ def _module_ratios(table: TrainTable) -> Iterator[Fraction]:
         yield second / first
     else:
         low, high = table.module_ratio_range or RANGE
-        series = eighths()
-        yield from (ratio for ratio in {Fraction(b, a) for a in series for b in series} if low <= ratio <= high)
+        yield from (ratio for ratio in _standard_ratios() if low <= ratio <= high)
+
+
+@cache
+def _standard_ratios() -> frozenset[Fraction]:
+    """The ratios that standard modules have to one another."""
+    series = eighths()
+    return frozenset(Fraction(b, a) for a in series for b in series)
 
 
 def _limits(table: TrainTable) -> Limits:
