@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from tmmcalc.classroom.keybook import significant
 from tmmcalc.classroom.papers.tasksheet import said_in, tolerance_of, unit_of
 from tmmcalc.note.assembled import Assembler
-from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Chapter, Paragraph, Table
 from tmmcalc.report.numbers import percent
 
@@ -52,7 +52,7 @@ def _judged(item: Item) -> tuple[str, ...]:
 
 def _headed(item: Item) -> str:
     name = f"{JOINER}{said_in(item.name)}"
-    return f"{name}, {tr_unit(item.unit)}" if item.unit else name
+    return f"{name}, {unit_of(item)}" if unit_of(item) else name
 
 
 def _row(key: Key, items: Sequence[Item], at: int, *, named: bool) -> tuple[str, ...]:
