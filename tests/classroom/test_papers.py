@@ -9,17 +9,20 @@ from shutil import copytree
 from typing import Any
 
 import pytest
+from mistakes import item
 
 from classroom.school import SHAPER, STUDENTS, School, hand_in
 from tmmcalc.classroom.answers.reading import read_answers
 from tmmcalc.classroom.papers.making import traced
 from tmmcalc.classroom.papers.overview import overview
 from tmmcalc.classroom.papers.sheets import write_notes, write_sheets
+from tmmcalc.classroom.papers.tasksheet import Given, task_sheet
 from tmmcalc.core.errors import UsageError
 from tmmcalc.note.forms import FORMS, check_form
 from tmmcalc.note.plaintext import text as plain
 from tmmcalc.project import load_spec
 from tmmcalc.report.language import speaking
+from tmmcalc.report.manuscript import Table
 
 
 @pytest.fixture(scope="module")
@@ -54,8 +57,8 @@ def test_a_sheet_has_the_numbers_of_its_variant_and_what_is_asked(folder: Path, 
         assert re.search(rf"l_OA +{abs(complex(*crank['A']) - complex(*crank['O'])):g} m\n", own)
         assert re.search(rf"n_1 +{spec.mechanism.input.speed * 30 / 3.141592653589793:.6g} rpm\n", own)
         asked = text[text.index("Asked results") :]
-        for item in school.items:
-            assert re.search(rf"^ +{re.escape(item.name)} ", asked, re.MULTILINE), item.name
+        for each in school.items:
+            assert re.search(rf"^ +{re.escape(each.name)} ", asked, re.MULTILINE), each.name
         assert "its sign is left open" in asked
         if variant.student:
             assert variant.student.split()[0] in text
@@ -78,6 +81,15 @@ def test_the_task_of_the_press_tells_all_that_is_drawn() -> None:
     assert further == ()
     assert names >= {"l_{OA}", "l_{AB}", "l_{CB}", "l_{BD}", "n_1", "m_5", "k", "delta_0", "h", "phi_y", "phi_b"}
     assert not names & {"phi_c", "phi_d", "m_1", "J_1", "P_N"}
+
+
+@pytest.mark.parametrize("unit", ["", "-"])
+def test_a_number_has_no_unit(unit: str) -> None:
+    """That of a fact is empty, that of a column -."""
+    asked = (item("cam_law.s1@3", unit, within=0.01),)
+    (chapter,) = task_sheet("", "Variant", Given((), (), ()), asked, ["slope"])
+    (rows,) = [block.rows for block in chapter.blocks if isinstance(block, Table)]
+    assert rows[0][1:5] == ("slope", "–", "4", "1 % or 0.01")
 
 
 def test_a_pdf_is_whole_pages_of_a4_without_an_empty_one(folder: Path) -> None:

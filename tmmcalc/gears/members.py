@@ -7,11 +7,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmmcalc.core.quantity import components, headed
+from tmmcalc.core.quantity import Quantity, components, headed
 from tmmcalc.gears.gearing import Gearing
 from tmmcalc.gears.network.power import PowerFlow
 
 Columns = dict[str, list[Any]]
+
+RATIO = Quantity("i", "speed of the input over that of the member")
+COUNT = Quantity("count", "how many members of this name there are, planets or layshafts")
 
 
 def member_columns(result: Gearing, people: bool = False) -> Columns:
@@ -26,14 +29,14 @@ def member_columns(result: Gearing, people: bool = False) -> Columns:
         **_listed(headed(motion, *(("turns", "relative_turns") if people else ("speeds", "relative")))),
     }
     if any(ratio is not None for ratio in ratios):
-        columns["i"] = ["" if ratio is None else float(ratio) for ratio in ratios]
+        columns[RATIO.key] = ["" if ratio is None else float(ratio) for ratio in ratios]
     if result.flow is not None:
         columns |= _listed(headed(result.flow, "torques", "powers"))
     columns |= {
-        "count": [network.count(name) for name in motion.members],
+        COUNT.key: [network.count(name) for name in motion.members],
         "carrier": [network.bearer(name) for name in motion.members],
     }
-    if "i" in columns:
+    if RATIO.key in columns:
         columns["i exact"] = ["" if ratio is None else str(ratio) for ratio in ratios]
     return columns
 

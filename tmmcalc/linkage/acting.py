@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Literal
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 from tmmcalc.linkage.loading import GearDrive, Loading, Pair
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
@@ -29,7 +30,7 @@ WORDS = {  # of force and couple
     "spring": ("spring", "spring"),
     "damper": ("damper", "damper"),
     "reaction": ("reaction", "couple"),
-    "friction": ("friction", "friction moment"),
+    "friction": ("friction force", "friction moment"),
     "drive": ("force of the drive", "moment of the drive"),
 }
 
@@ -47,8 +48,10 @@ class Acts:
     @property
     def said(self) -> str:
         """What it is, in words."""
-        where = f" in {self.joint}" if self.joint else ""
-        return f"{WORDS[self.kind][self.couple]} {self.name}{where}"
+        kind = WORDS[self.kind][self.couple]
+        if self.joint:
+            return Phrase("{kind} {name} in {joint}", kind=kind, name=self.name, joint=self.joint)
+        return Phrase("{kind} {name}", kind=kind, name=self.name)
 
 
 def sides(joint: Joint, link: int) -> tuple[float, str]:

@@ -16,13 +16,18 @@ from math import nan
 from typing import Any, NamedTuple, get_args, get_origin, get_type_hints
 
 from tmmcalc.core.facts import named
-from tmmcalc.core.notes import Note, Phrase
+from tmmcalc.core.notes import Note, Phrase, graded
 from tmmcalc.core.quantity import Quantity, in_degrees, quantities
 from tmmcalc.core.stage import STAGES, Stage
 from tmmcalc.core.stored import LAST_DIGIT
 from tmmcalc.naming.scene import Scene
 
 ERROR, ESTIMATED = "error", "estimated relative error: {name}"
+HOW_MANY = {"warnings": "how many warnings its document has", "notes": "how many notes its document has"}
+HELD = {  # by a note: of a quantity that has a name, and of others
+    "value": ("value of {name}: {note}", "its value: {note}"),
+    "limit": ("limit of {name}: {note}", "its limit: {note}"),
+}
 IN_RADIANS = ("gears", "vibration")  # rooms whose angles are told as they are kept; elsewhere they are in deg
 
 
@@ -155,7 +160,7 @@ def of_itself(stage: str, result: Any) -> Iterator[Chosen]:
     notes = [note for part in (document, *document.parts) for note in part.notes]
     warnings = [note for note in notes if note.startswith("warning")]
     for word, some in (("warnings", warnings), ("notes", [note for note in notes if note not in warnings])):
-        yield Chosen(word, "", float(len(some)), f"how many {word} its document has")
+        yield Chosen(word, "", float(len(some)), HOW_MANY[word])
         yield from (each for number, note in enumerate(some, 1) for each in _held(f"{word}.{number}", note))
 
 
@@ -164,8 +169,8 @@ def _held(path: str, note: str) -> Iterator[Chosen]:
     if isinstance(note, Note):
         for word, number in (("value", note.value), ("limit", note.limit)):
             if number is not None:
-                of = f"{word} of {note.name}" if note.name else word
-                yield Chosen(f"{path}.{word}", note.unit, float(number), f"{of}: {note}")
+                meaning = Phrase(HELD[word][not note.name], name=note.name, note=graded(note)[1])
+                yield Chosen(f"{path}.{word}", note.unit, float(number), meaning)
 
 
 def _flat(path: str, values: Mapping[str, Any], meaning: str) -> Iterator[Chosen]:

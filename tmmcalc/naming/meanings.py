@@ -61,19 +61,19 @@ def described(stage: str, column: bool) -> Callable[[str, str], tuple[str, str]]
             every += standing_in(module)
     every += [each for kind in own.kinds for each in given_out(kind)]
     heads: set[str] = set()  # what stands over columns, before what is told once beside the table
-    if column and (columns := own.part("columns")):
+    if column and (columns := own.part("columns") or own.part("table")):
         standing = list(standing_in(getmodule(columns)))
         every += standing
         heads = {each.name for each in (*standing, *(q for kind in own.kinds for q in given_over_rows(kind)))}
         every += [each._replace(key=each.header) for each in every if each.header]
-    plain = {(each.name, each.unit): each for each in reversed(every)}  # of records within others the outer says it
+    plain = {(each.name, _bare(each.unit)): each for each in reversed(every)}  # of records in others the outer says it
     names = {each.name: each for each in reversed(every)}
     # what has most words of its own first: v{axis}_{point} before {axis}_{point}
     forms = [each for each in every if "{" in each.name and (_literal(each.name) or _closed(each.name))]
     forms.sort(key=lambda each: (each.name not in heads, -_literal(each.name)))
 
     def found(name: str, unit: str) -> tuple[str, str]:
-        unit = "" if unit == "-" else unit
+        unit = _bare(unit)
         same = plain.get((name, unit)) or names.get(name)
         if same is not None and _units(same.unit, unit) is not None:
             return same.meaning, same.symbol
@@ -88,10 +88,16 @@ def described(stage: str, column: bool) -> Callable[[str, str], tuple[str, str]]
     return cache(found)
 
 
+def _bare(unit: str) -> str:
+    """The unit of a number is none, or - in the header of a column."""
+    return "" if unit == "-" else unit
+
+
 def _units(form: str, unit: str) -> dict[str, str] | None:
     """The words in the places of a unit; a value may be told in the unit of people."""
     if unit == ANY:
         return {}
+    form = _bare(form)
     found = _places(form, unit) if unit or not SOME.fullmatch(form) else {}
     return {} if found is None and (form, unit) in FORMS else found
 
@@ -125,6 +131,20 @@ def _said(place: str, word: str) -> str:
     if place in LONG:
         return word.replace("_", LONG[place])
     return SAID[place].get(word, word) if place in SAID else word
+
+
+def worded(meaning: str) -> str:
+    """A meaning of which some places have short words, with what these stand for.
+
+    >>> worded(Phrase("radius of curvature of {curve}", curve="c"))
+    'radius of curvature of the pitch curve'
+    """
+    if not isinstance(meaning, Phrase) or SAID.keys().isdisjoint(meaning.values):
+        return meaning
+    words = {
+        place: SAID[place].get(str(word), word) if place in SAID else word for place, word in meaning.values.items()
+    }
+    return Phrase(meaning.template, **words)
 
 
 def _places(form: str, text: str) -> dict[str, str] | None:

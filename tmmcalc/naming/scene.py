@@ -11,6 +11,7 @@ from tmmcalc.core.columns import Column
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.stage import STAGES, arguments
 from tmmcalc.naming.language import Place
+from tmmcalc.naming.meanings import worded
 from tmmcalc.naming.table import Table, table_of
 from tmmcalc.spec.units import UnitError
 
@@ -56,7 +57,8 @@ class Scene:
     def further(self, stage: str) -> Sequence[Column]:
         """The columns by choice of a stage."""
         if stage not in self._further:
-            self._further[stage] = () if self.spec is None else STAGES[stage].further(self.spec, self.results)
+            made = () if self.spec is None else STAGES[stage].further(self.spec, self.results)
+            self._further[stage] = [each._replace(meaning=worded(each.meaning)) for each in made]
         return self._further[stage]
 
     def details(self, stage: str) -> Mapping[str, Any]:

@@ -22,7 +22,16 @@ from tmmcalc.naming.rows import There, asked_of
 from tmmcalc.naming.scene import Scene
 from tmmcalc.naming.table import Table, columns_of, table_of
 
-MEANT = {"at_max": "where it is largest", "at_min": "where it is smallest", "at_size": "where its magnitude is largest"}
+MEANT = {  # what functions of names ask for in words; the others say it themselves
+    "at_max": "where it is largest",
+    "at_min": "where it is smallest",
+    "at_size": "where its magnitude is largest",
+    "range": "greatest value less the least",
+    "size": "largest magnitude",
+    "first": "value at the beginning",
+    "last": "value at the end",
+    "chosen": "of what is chosen",
+}
 CHOICE = "by choice"
 EXTREMES = {
     "min": "{quantity}: least value",
@@ -162,7 +171,10 @@ def listed(stage: str, result: Any) -> Iterator[Told | Extent]:
 
 
 def _of_columns(stage: str, result: Any) -> Callable[[str, str], tuple[str, str]]:
-    """A function of the name and the unit of a column: meaning and symbol, as the result itself or its stage says."""
+    """A function of the name and the unit of a column: meaning and symbol, as the result itself or its stage says.
+
+    Else it is what the fact of its name means: that of one row, as of a solution the first.
+    """
     known = described(stage, column=True)
 
     @cache
@@ -171,9 +183,14 @@ def _of_columns(stage: str, result: Any) -> Callable[[str, str], tuple[str, str]
         own = made(result) if made else ()
         return {} if isinstance(own, Mapping) else {each.name: (each.meaning, each.symbol) for each in own}
 
+    @cache
+    def of_facts() -> Mapping[tuple[str, str], tuple[str, str]]:
+        return {(each.name, each.unit): meant(stage, each) for each in labelled(stage, result)}
+
     def found(name: str, unit: str) -> tuple[str, str]:
-        meant = declared().get(name, ("", ""))
-        return meant if meant[0] else known(name, unit)
+        own = declared().get(name, ("", ""))
+        own = own if own[0] else known(name, unit)
+        return own if own[0] else of_facts().get((name, "" if unit == "-" else unit), ("", ""))
 
     return found
 
@@ -332,6 +349,6 @@ def _of_column(
     value, told_in, how = asked_of(own, result, table, header, there)
     meaning, symbol = meant
     asked = MEANT.get(name.of, name.of)
-    meaning = f"{meaning}: {asked}" if meaning and asked else meaning
+    meaning = Phrase("{quantity}: {word}", quantity=meaning, word=asked) if meaning and asked else meaning
     if name.unit in (None, told_in):
         yield Told(stage, own.quantity, value, told_in, how, meaning, symbol)

@@ -10,7 +10,7 @@ import pytest
 import tmmcalc
 from tmmcalc.core.facts import facts
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask
-from tmmcalc.linkage.stages.synthesis import table
+from tmmcalc.linkage.synthesis.columns import table
 from tmmcalc.linkage.synthesis.dwell.constraints import BARRIER, Rule, told_columns, told_values
 from tmmcalc.linkage.synthesis.dwell.criteria import rated
 from tmmcalc.linkage.synthesis.dwell.parameters import NAMES, drawn, given

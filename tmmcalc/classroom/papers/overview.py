@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.keybook import significant
-from tmmcalc.classroom.papers.tasksheet import said_in, tolerance_of
+from tmmcalc.classroom.papers.tasksheet import said_in, tolerance_of, unit_of
 from tmmcalc.note.assembled import Assembler
-from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Chapter, Paragraph, Table
 from tmmcalc.report.numbers import percent
 
@@ -45,14 +45,14 @@ def _blocks(book: Keybook) -> Iterator[Block]:
 def _judged(item: Item) -> tuple[str, ...]:
     also = tr("the other sign") if item.either_sense else "–"
     return (
-        *(said_in(item.name), said_in(", ".join(item.also)) or "–", said_in(item.result), tr_unit(item.unit) or "–"),
+        *(said_in(item.name), said_in(", ".join(item.also)) or "–", said_in(item.result), unit_of(item) or "–"),
         *(str(item.digits), tolerance_of(item), percent(item.plans), tr_number(f"{item.weight:g}"), also),
     )
 
 
 def _headed(item: Item) -> str:
     name = f"{JOINER}{said_in(item.name)}"
-    return f"{name}, {tr_unit(item.unit)}" if item.unit else name
+    return f"{name}, {unit_of(item)}" if unit_of(item) else name
 
 
 def _row(key: Key, items: Sequence[Item], at: int, *, named: bool) -> tuple[str, ...]:

@@ -100,7 +100,7 @@ def _blocks(who: str, given: Given, items: Sequence[Item], meanings: Sequence[st
 
 def _asked(item: Item, meaning: str) -> tuple[str, ...]:
     sign = tr("; its sign is left open") if item.either_sense else ""
-    return said_in(item.name), meaning + sign, tr_unit(item.unit) or "–", str(item.digits), tolerance_of(item), BLANK
+    return said_in(item.name), meaning + sign, unit_of(item) or "–", str(item.digits), tolerance_of(item), BLANK
 
 
 def tolerance_of(item: Item) -> str:
@@ -108,9 +108,12 @@ def tolerance_of(item: Item) -> str:
     part = f"{tr_number(number(100 * item.tolerance, 3))} %"
     if not item.within:
         return part
-    return tr(
-        "{part} or {within}", part=part, within=f"{tr_number(number(item.within, 3))} {tr_unit(item.unit)}".strip()
-    )
+    return tr("{part} or {within}", part=part, within=f"{tr_number(number(item.within, 3))} {unit_of(item)}".strip())
+
+
+def unit_of(item: Item) -> str:
+    """In the language in force; of a number none, which the header of a column has as -."""
+    return "" if item.unit == "-" else tr_unit(item.unit)
 
 
 def _rules(items: Sequence[Item]) -> Iterator[str]:

@@ -17,6 +17,7 @@ from tmmcalc.gears.sizing import GIVEN, REDUCTION, Sized, Torque, rows_of
 from tmmcalc.gears.strength.chain import strength_factors
 from tmmcalc.gears.strength.endurance import Factor
 from tmmcalc.gears.strength.explain import real_width
+from tmmcalc.gears.strength.letters import LETTERS
 from tmmcalc.gears.strength.series import tied
 from tmmcalc.gears.strength.solve import SLACK
 from tmmcalc.gears.strength.steels import latin, steel_key
@@ -202,52 +203,7 @@ def _meaning(name: str) -> str:
     """What a letter of the strength is."""
     if re.fullmatch(r"Z\d'*", name):
         return tr("number of teeth of wheel {wheel}", wheel=name[1:])
-    return {
-        "T1": tr("torque on wheel 1"),
-        "T": tr("torque on the pinion in one branch"),
-        "K": tr("number of branches that share the power"),
-        "K_d": tr("factor of the contact for steel wheels, for N·m, MPa, mm"),
-        "K_m": tr("factor of the bending, for N·m, MPa, mm"),
-        "HB": tr("hardness"),
-        "HRC": tr("hardness"),
-        "HV": tr("hardness"),
-        "sigma_Hlim": tr("limit of contact endurance"),
-        "sigma_HP": tr("permissible contact stress"),
-        "sigma_Flim^0": tr("limit of bending endurance"),
-        "sigma_Flim0": tr("limit of bending endurance"),
-        "sigma_FP": tr("permissible bending stress"),
-        "sigma_H": tr("contact stress"),
-        "sigma_F": tr("bending stress"),
-        "S_H": tr("safety factor of the contact"),
-        "S_F'": tr("safety factor of the bending"),
-        "S_F''": tr("safety factor of the blank"),
-        "K_FC": tr("factor of loads from both sides"),
-        "psi_bd": tr("ratio of the face width to the diameter of the pinion"),
-        "psi_low": tr("limits of this ratio by the table"),
-        "psi_high": tr("limits of this ratio by the table"),
-        "psi": tr("ratio of the real face width to the diameter of the pinion"),
-        "psi*": tr("ratio of the face width that uses the limit fully"),
-        "psi_star": tr("ratio of the face width that uses the limit fully"),
-        "beta_H": tr("coefficient of the load distribution over the width"),
-        "beta_F": tr("coefficient of the load distribution over the width"),
-        "K_Hbeta": tr("factor of the load distribution for the contact"),
-        "K_Fbeta": tr("factor of the load distribution for the bending"),
-        "Z": tr("number of teeth of the pinion"),
-        "Z_w": tr("number of teeth of the larger wheel"),
-        "Z_1": tr("least number of teeth of the pinions of the stage"),
-        "u": tr("ratio of the numbers of teeth of the pair"),
-        "q": tr("torque on the pinion of all branches over that on wheel 1"),
-        "i_14": tr("ratio of the train"),
-        "A_H": tr("auxiliary quantity of the contact"),
-        "A_F": tr("auxiliary quantity of the bending"),
-        "Y_F": tr("factor of the tooth form"),
-        "m_H": tr("module by the contact endurance"),
-        "m_F": tr("module by the bending endurance"),
-        "m_req": tr("required module"),
-        "m": tr("module"),
-        "b": tr("face width"),
-        "d": tr("reference diameter of the pinion"),
-    }.get(name, "")
+    return tr_name(LETTERS.get(name, ""))
 
 
 def _values(wheels: Mapping[str, list[Factor]], stages: Mapping[str, list[Factor]]) -> Table:

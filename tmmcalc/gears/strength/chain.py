@@ -13,6 +13,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets
@@ -20,6 +21,7 @@ from tmmcalc.gears.strength.basis import Basis, basis_of
 from tmmcalc.gears.strength.demand import K_D, K_M, form_factors
 from tmmcalc.gears.strength.endurance import Coefficient, Factor, NamedFactor, made
 from tmmcalc.gears.strength.explain import factors, real_width
+from tmmcalc.gears.strength.letters import LETTERS
 from tmmcalc.gears.strength.loads import MeshLoads, mesh_loads
 from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.solve import solve_strength
@@ -27,6 +29,7 @@ from tmmcalc.gears.strength.tables import StandardModule, table
 from tmmcalc.gears.strength.task import StrengthTask
 
 MM, MPA = 1e-3, 1e6
+PLACES = {"wheel": "wheel {wheel}", "stage": "stage {stage}", "mesh": "mesh {mesh}"}  # what factors belong to
 SAME = 1e-9  # relative difference of a module and its entry in the table
 
 
@@ -43,9 +46,20 @@ class StrengthFactors:
     @property
     def named(self) -> NamedFactors:
         """The same for who asks by name."""
-        told = (each.told for each in self.factors)
-        factors = (NamedFactor(t.of, t.symbol, t.unit.strip("-"), t.source, t.value) for t in told)
-        return NamedFactors(self.planets, self.teeth, self.accepted, tuple(factors))
+        factors = tuple(_by_name(each.told) for each in self.factors)
+        return NamedFactors(self.planets, self.teeth, self.accepted, factors)
+
+
+def _by_name(told: Coefficient) -> NamedFactor:
+    """A coefficient without its source, which may be the number itself in other words."""
+    letter, _, wheel = told.symbol.partition(" of wheel ")
+    kind, _, which = told.of.partition(" ")
+    if wheel:
+        place: str = Phrase("wheel {wheel} in the mesh {mesh}", wheel=wheel, mesh=which)
+    else:
+        place = Phrase(PLACES[kind], **{kind: which}) if which else kind
+    unit = told.unit.strip("-")
+    return NamedFactor(told.of, told.symbol, unit, LETTERS.get(letter, letter), place, told.value)
 
 
 @record

@@ -71,8 +71,9 @@ class NamedFactor:
     of: str
     symbol: str
     unit: str  # empty: without dimension
-    source: str
-    value: float = quantity("value[{unit}]", "{symbol} of {of}: {source}")
+    letter: str  # what the symbol stands for
+    place: str  # what it belongs to, in words
+    value: float = quantity("value[{unit}]", "{letter}, {place}")
 
     @property
     def name(self) -> str:

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmmcalc.core.columns import Column, column
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Real
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.linkage.acting import Acts, acting_on, told_apart
@@ -106,7 +107,8 @@ def _on_lever(rows: Rows) -> Iterator[Term]:
             continue
         tail, head = replaced_at(rows.mechanism, each.link)
         for point, _ in (head, tail):
-            yield Term(f"{name}_{point}", f"the force in {point} in place of {each.said}", False, _key(each, point))
+            said = Phrase("the force in {point} in place of {what}", point=point, what=each.said)
+            yield Term(f"{name}_{point}", said, False, _key(each, point))
 
 
 def _key(each: Acts | LeverForce, point: str) -> Hashable:

@@ -5,11 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import Another, said
-from tmmcalc.core.stored import DeferredColumns, Table
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 
@@ -22,6 +19,7 @@ CLOSED = "solutions in closed form, all listed: they are not sifted by the const
 NO_SEARCH = "no [synthesis.dwell.optimum]: no search for the best dwell"
 
 kind = Synthesis
+table = "tmmcalc.linkage.synthesis.columns:table"
 found = "tmmcalc.linkage.tables.found:of_synthesis"
 outlook = "tmmcalc.linkage.tables.found:outlook"
 
@@ -80,23 +78,6 @@ def errors(result: Synthesis) -> dict[str, Any]:
     """Estimates of its errors."""
     sizes = {} if result.error is None else {"sizes": result.error}
     return {"residual": result.residual, **sizes}
-
-
-def table(result: Synthesis) -> Table:
-    """One row a solution: its sizes and figures of merit; of a dwell one row a position of the best one."""
-    if result.best.dwell is not None:
-        from tmmcalc.linkage.synthesis.dwell.columns import columns_of
-
-        dwell = result.best.dwell
-        listed = columns_of(dwell.motion, dwell.output)
-        return Table(
-            ["i", *(c.header for c in listed)],
-            DeferredColumns([np.array(dwell.motion.labels), *(c.make for c in listed)]),
-        )
-    from tmmcalc.linkage.synthesis.columns import columns
-
-    found = columns(result)
-    return Table(list(found), [np.array(values) for values in found.values()])
 
 
 def omits(spec: LinkageTables) -> tuple[str, ...]:

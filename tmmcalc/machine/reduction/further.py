@@ -32,20 +32,18 @@ from tmmcalc.machine.reduction.ordinates import ordinate_columns
 from tmmcalc.machine.reduction.results import Reduction
 
 OF_LINK = (
-    Quantity("{inertia}_red_{link}[{unit}]", "what link {link} adds to the reduced {mass}", source="(3.39)"),
+    Quantity("{inertia}_red_{link}[{unit}]", "what link {link} adds to the {mass}", source="(3.39)"),
     Quantity("{inertia}_red_{link}_mass[{unit}]", "what the mass of link {link} adds to it: m |S'|^2", source="(3.39)"),
     Quantity(
         "{inertia}_red_{link}_turning[{unit}]", "what the turning of link {link} adds to it: J_S w'^2", source="(3.39)"
     ),
-    Quantity("d{inertia}_red_{link}[{unit}/{per}]", "what link {link} adds to the slope of the reduced {mass}"),
+    Quantity("d{inertia}_red_{link}[{unit}/{per}]", "what link {link} adds to the slope of the {mass}"),
 )
 OF_ATTACHED = (
     Quantity("J_red_{name}[kg*m^2]", "what the {name} adds to the reduced inertia"),
     Quantity("dJ_red_{name}[kg*m^2/rad]", "what the {name} adds to the slope of the reduced inertia"),
 )
-OF_WEIGHT = Quantity(
-    "{letter}_red_weight_{link}[{unit}]", "reduced {force} of the weight of link {link}", source="(3.34)"
-)
+OF_WEIGHT = Quantity("{letter}_red_weight_{link}[{unit}]", "{force} of the weight of link {link}", source="(3.34)")
 VALUE = Quantity("load_{load}[{unit}]", "value of load {load} along its direction", source="(3.34)")
 TRANSFER = Quantity(
     "dS_of_{load}[{value}/{per}]",
@@ -66,8 +64,8 @@ class Input(NamedTuple):
     def of(cls, turns: bool) -> Input:
         """By the kind of the input."""
         if turns:
-            return cls(("moment", "M", "N*m"), ("inertia", "J", "kg*m^2"), "rad")
-        return cls(("force", "F", "N"), ("mass", "m", "kg"), "m")
+            return cls(("reduced moment", "M", "N*m"), ("reduced inertia", "J", "kg*m^2"), "rad")
+        return cls(("reduced force", "F", "N"), ("reduced mass", "m", "kg"), "m")
 
 
 class Linkage(NamedTuple):

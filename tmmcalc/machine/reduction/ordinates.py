@@ -12,11 +12,12 @@ import numpy as np
 
 from tmmcalc.core.columns import Column, column
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.simpson import simpson, simpson_weights
 from tmmcalc.core.plane import Real
 from tmmcalc.core.quantity import Quantity, quantity
 from tmmcalc.core.records import record
-from tmmcalc.machine.reduction.columns import contribution_name, reduced
+from tmmcalc.machine.reduction.columns import called, contribution_name, reduced
 from tmmcalc.machine.reduction.results import Reduction
 
 FACTOR = Quantity("Simpson[-]", "what an ordinate is multiplied by in Simpson's rule", source="(3.38)")
@@ -112,7 +113,10 @@ def ordinate_columns(result: Reduction, rows: Sequence[int] | None = None) -> It
         found = weights * values[taken]
         return np.cumsum(found) if summed else found
 
+    words = {contribution_name(result, each): called(each) for each in result.contributions}
     yield column(FACTOR, lambda: weights)
     for cause, (values, _) in _causes(result).items():
-        yield column(ORDINATE.of(cause=cause, unit=unit), partial(weighted, values, summed=False))
-        yield column(SUM.of(cause=cause, unit=unit), partial(weighted, values, summed=True))
+        for told, summed in ((ORDINATE, False), (SUM, True)):
+            meaning = Phrase(told.meaning, cause=words.get(cause, cause))
+            own = told.of(cause=cause, unit=unit)._replace(meaning=meaning)
+            yield column(own, partial(weighted, values, summed=summed))

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.core.stage import said
 from tmmcalc.vibration.tables.tasks.vibration import to_vibrator
@@ -21,6 +20,7 @@ NO_DRIVE = "no [vibrator.drive]: no start under a motor"
 inputs = to_vibrator
 solve = "tmmcalc.vibration.vibrator.solve:solve_vibrator"
 kind = VibratorResult
+columns = "tmmcalc.vibration.vibrator.columns:columns"
 series = {
     "modes": ("mode shapes", "f"),
     "curve": ("resonance curve", "omega"),
@@ -28,14 +28,6 @@ series = {
     "start": ("start with a given angle", "t"),
     "drive": ("start by the motor", "t"),
 }
-
-
-def columns(result: VibratorResult) -> Mapping[str, Any]:
-    """One row a time or a speed; the first column tells of what."""
-    from tmmcalc.vibration.series import as_text
-    from tmmcalc.vibration.vibrator.columns import vibrator_columns
-
-    return {header: as_text(column) for header, column in vibrator_columns(result).items()}
 
 
 def omits(spec: VibrationTables) -> tuple[str, ...]:

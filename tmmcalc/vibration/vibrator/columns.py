@@ -17,15 +17,20 @@ import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import headed, keys
-from tmmcalc.vibration.series import stacked
+from tmmcalc.vibration.series import as_text, stacked
 from tmmcalc.vibration.vibrator.paths import STEPS
-from tmmcalc.vibration.vibrator.results import DISPLACEMENT, HEADERS, MotorStart, Start, VibratorResult
+from tmmcalc.vibration.vibrator.results import DISPLACEMENT, OF_COURSES, MotorStart, Start, VibratorResult
 from tmmcalc.vibration.vibrator.runup import DeviceMotion
 
 
 def vibrator_columns(result: VibratorResult) -> dict[str, np.ndarray]:
     """All columns by header."""
     return stacked(dict(_series(result)))
+
+
+def columns(result: VibratorResult) -> dict[str, np.ndarray]:
+    """One row a time or a speed, blanks as texts; the first column tells of what."""
+    return {header: as_text(column) for header, column in vibrator_columns(result).items()}
 
 
 def _series(result: VibratorResult) -> Iterator[tuple[str, dict[str, np.ndarray]]]:
@@ -41,7 +46,7 @@ def _series(result: VibratorResult) -> Iterator[tuple[str, dict[str, np.ndarray]
 
 
 def _coordinates(q: Values) -> dict[str, np.ndarray]:
-    return dict(zip(HEADERS, q, strict=True))
+    return {told.key: values for told, values in zip(OF_COURSES, q, strict=True)}
 
 
 def _turn(result: VibratorResult) -> dict[str, np.ndarray]:

@@ -13,7 +13,6 @@ from tmmcalc.vibration.vibrator.paths import PointPath
 from tmmcalc.vibration.vibrator.regimes import Barrier, Regime
 from tmmcalc.vibration.vibrator.runup import DeviceMotion
 from tmmcalc.vibration.vibrator.springs import Stiffness
-from tmmcalc.vibration.vibrator.task import COORDINATES, UNITS
 
 
 @record
@@ -98,5 +97,14 @@ class VibratorResult:
 
 
 COORDINATE = Quantity("{coordinate}[{unit}]", "coordinate {coordinate}; of modes its shape, of the curve its amplitude")
+OF_COURSES = (  # the same in the table: the ring, the gripper, the exciter
+    Quantity("x[m]", "displacement of the ring along x, of modes its shape, of the curve the amplitude"),
+    Quantity("y[m]", "displacement of the ring along y, of modes its shape, of the curve the amplitude"),
+    Quantity("phi[rad]", "turn of the ring about the vertical, of modes its shape, of the curve the amplitude"),
+    Quantity("tilt_x[rad]", "tilt of the gripper about x, of modes its shape, of the curve the amplitude"),
+    Quantity("tilt_y[rad]", "tilt of the gripper about y, of modes its shape, of the curve the amplitude"),
+    Quantity("z[m]", "vertical displacement of the gripper, of modes its shape, of the curve the amplitude"),
+    Quantity("gamma[rad]", "turn of the exciter about its hinge, of modes its shape, of the curve the amplitude"),
+)
 DISPLACEMENT = Quantity("u{axis}_{point}[m]", "displacement of {point} along {axis}")
-HEADERS = tuple(COORDINATE.of(coordinate=name, unit=unit).key for name, unit in zip(COORDINATES, UNITS, strict=True))
+HEADERS = tuple(each.key for each in OF_COURSES)
