@@ -87,7 +87,7 @@ def run(
             for each in work.missing(first, asked, target, skip, reasons):
                 try:
                     with believed(each.reads):
-                        record = each.stage.dump(each.stage.solve(*each.given, **each.keywords))
+                        record = each.stage.dump(each.solve(*each.given, **each.keywords))
                     work.computed(each, record)
                 except TmmError as error:
                     work.failed(each.stage, error, each.began)
@@ -115,7 +115,8 @@ class Missing(NamedTuple):
     """A stage that has to be computed."""
 
     stage: Stage
-    given: tuple[Any, ...]  # arguments of its function
+    solve: Callable[..., Any]  # the function that finds its result
+    given: tuple[Any, ...]  # its arguments
     keywords: Mapping[str, Any]
     reads: Sequence[Outcome]  # those of the stages that it reads
     reason: str  # why it is not loaded
@@ -195,11 +196,11 @@ class _Run:
                 outcomes = [self.outcomes[name] for name in read if name in self.outcomes]
                 less = stage.by_name if self.by_name else {}
                 with believed(outcomes):
-                    given, keywords = stage.called(*arguments(inputs), **read, **chosen, **less)
+                    solve, given, keywords = stage.called(*arguments(inputs), **read, **chosen, **less)
             except TmmError as error:
                 self.failed(stage, error, began)
                 continue
-            yield Missing(stage, given, keywords, outcomes, reason, began)
+            yield Missing(stage, solve, given, keywords, outcomes, reason, began)
 
     def computed(self, each: Missing, record: Record) -> None:
         """What goes on of a result, stored where there is an archive: its record."""
