@@ -19,7 +19,6 @@ from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.core.numerics.simpson import simpson
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
-from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.results import Extreme, Grade
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.nodes import NEAR, on_edges
@@ -69,7 +68,7 @@ class Attached:
     @property
     def period(self) -> float:
         """Angle of the input shaft after which it repeats [rad]."""
-        return TURN * self.turns
+        return 2 * math.pi * self.turns
 
     def on(self, panels: Panels, values: Values) -> Values:
         """Functions (..., K, N) on finer panels of whole periods."""
