@@ -195,7 +195,7 @@ def test_a_stored_load_is_the_same(tmp_path: Path) -> None:
 def test_two_are_joined_one_after_the_other() -> None:
     """Nothing of what is attached is known to the reduction but its record."""
     found = results(spec_of(), "reduction")
-    twice = with_attached(found["reduction"], found["cam_load"])
+    twice = with_attached(found["reduction"], [found["cam_load"]])
     own = found["cam_load"]
     assert twice.cycle.inertia.max() - 0.05 == pytest.approx(2 * own.inertia_max, rel=1e-2)
     assert len(twice.contributions) == len(found["reduction"].contributions) + len(own.causes)

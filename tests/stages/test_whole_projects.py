@@ -197,10 +197,12 @@ def test_every_stage_resolves() -> None:
     for stage in STAGES.values():
         home = import_module(stage.home)
         assert callable(home.inputs)
-        asked = signature(stage.solve).parameters
-        given = {stage.takes.get(name, name) for name in (*stage.needs, *stage.uses)}
-        given |= {*stage.settings, *(["another"] if stage.another else [])}
-        assert given <= asked.keys() or any(each.kind is Parameter.VAR_KEYWORD for each in asked.values())
+        solve, task = stage.part("solve"), stage.part("task")
+        read = {stage.takes.get(name, name) for name in (*stage.needs, *stage.uses)}
+        read |= {"another"} if stage.another else set()
+        for function, given in ((task or solve, read), (solve, {*stage.settings})):
+            asked = signature(function).parameters if given else {}
+            assert given <= asked.keys() or any(each.kind is Parameter.VAR_KEYWORD for each in asked.values())
         assert {type(getattr(home, part, None)) for part in ("errors", "omits", "packages")} <= {FunctionType, NoneType}
         if isinstance(columns := getattr(home, "columns", None), str):
             assert callable(resolve(columns))

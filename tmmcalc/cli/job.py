@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import field, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -63,29 +64,34 @@ class Job:
             return None
         return self.out or Path(f"{self.file.stem}.out")
 
-    def run(self, spec: Spec, target: str | Sequence[str] | None) -> RunResult:
-        """Run the pipeline with messages on standard error, and write the depfile."""
+    @property
+    def run(self) -> Callable[[Spec, str | Sequence[str] | None], RunResult]:
+        """The pipeline as the flags ask for it, with messages on standard error: ``run(spec, target)``."""
         from tmmcalc.pipeline.runner import run
 
         if self.depfile is not None:
             self._check_depfile(self.depfile)
-        with self._stopped(), self._telling() as (on_start, on_event):
-            result = run(
-                spec,
-                target=target,
-                out=self.folder,
-                fresh=self.fresh,
-                from_stage=self.from_stage,
-                csv=self.csv,
-                columns=self.columns,
-                skip=self.skip,
-                settings=self.settings,
-                tolerance=self.tolerance,
-                on_start=on_start,
-                on_event=on_event,
-                keep_going=self.keep_going,
-                wait=self.wait,
-            )
+        live, on_start, on_event = self._telling()
+        return partial(
+            run,
+            out=self.folder,
+            fresh=self.fresh,
+            from_stage=self.from_stage,
+            csv=self.csv,
+            columns=self.columns,
+            skip=self.skip,
+            settings=self.settings,
+            tolerance=self.tolerance,
+            on_start=on_start,
+            on_event=on_event,
+            on_end=self._ended,
+            within=self._stopped(live),
+            keep_going=self.keep_going,
+            wait=self.wait,
+        )
+
+    def _ended(self, spec: Spec, result: RunResult) -> RunResult:
+        """What a run of the spec gives, with its pictures; the depfile is written."""
         if self.draw is not None and self.folder is not None:
             result = self.draw(result.spec, result, self.folder)
         self.done.append(result)
@@ -98,26 +104,25 @@ class Job:
         return result
 
     @contextmanager
-    def _stopped(self) -> Iterator[None]:
-        """Say what is kept if the run inside the block is interrupted."""
+    def _stopped(self, live: AbstractContextManager[object]) -> Iterator[None]:
+        """Tell ``live`` of the run inside the block; if it is interrupted say what is kept."""
         try:
-            yield
+            with live:
+                yield
         except KeyboardInterrupt:
             if self.folder is not None and self.folder.is_dir():
                 say(f"stopped: finished stages are kept in {self.folder}; the same command loads them", "yellow")
             raise
 
-    @contextmanager
-    def _telling(self) -> Iterator[tuple[Callable[[str], None] | None, Callable[[Event], None]]]:
-        """What tells of a stage that is begun, if anything does, and of one that is done: live on a terminal."""
+    def _telling(self) -> tuple[AbstractContextManager[object], Callable[[str], None], Callable[[Event], None]]:
+        """What tells of a stage that is begun and of one that is done, on a terminal live: within the context."""
         show_one = show_damage if self.quiet else show_event if self.verbose else show_news
         if self.quiet or not sys.stderr.isatty():
-            yield (lambda stage: tell(0.0, stage)), show_one
-            return
+            return nullcontext(), lambda stage: tell(0.0, stage), show_one
         from tmmcalc.cli.progress import Progress
 
-        with Progress(show_one) as progress:
-            yield progress.start, progress.done
+        progress = Progress(show_one)
+        return progress, progress.start, progress.done
 
     def summarised(self, target: str | None) -> tuple[Document, RunResult]:
         """Run the spec; the document of its summaries."""

@@ -53,6 +53,7 @@ class Stage:
     ``inputs(spec)``      plain value that it reads, a tuple of them, or None: exactly these are hashed
     ``solve``             the function of the inputs, one argument each, and of keywords: the results that it reads by
                           stage, and its settings
+    ``solver(*inputs)``   in place of ``solve`` where what is given decides which function it is: its name
     ``task``              where ``solve`` is asked in the words of its theory: the function of these inputs and results
                           that gives its arguments, a tuple or a single one; the settings stay keywords of ``solve``
     ``takes``             by stage: the field of its result that ``solve`` takes in place of the result, by its name
@@ -162,24 +163,19 @@ class Stage:
         """Classes of what it gives out."""
         return tuple(map(resolve, self.part("kinds") or ())) or (self.part("kind"),)
 
-    @property
-    def solve(self) -> Callable[..., Any]:
-        """The function that finds the result."""
-        function: Callable[..., Any] = self.part("solve")
-        return function
-
-    def called(self, *inputs: Any, **read: Any) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        """The arguments and keywords of `solve`, of the inputs, and of the results and settings by name."""
-        task = self.part("task")
+    def called(self, *inputs: Any, **read: Any) -> tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]:
+        """The function that finds the result of the inputs, and of results and settings by name; with its arguments."""
+        solver, task = self.part("solver"), self.part("task")
+        solve = resolve(solver(*inputs)) if solver else self.part("solve")
         if task is None:
-            return inputs, read
+            return solve, inputs, read
         settings = {name: read.pop(name) for name in (*self.settings, *self.by_name) if name in read}
-        return arguments(task(*inputs, **read)), settings
+        return solve, arguments(task(*inputs, **read)), settings
 
     def solved(self, *inputs: Any, **read: Any) -> Any:
         """The result, of the inputs, and of the results and settings by name."""
-        given, keywords = self.called(*inputs, **read)
-        return self.solve(*given, **keywords)
+        solve, given, keywords = self.called(*inputs, **read)
+        return solve(*given, **keywords)
 
     @property
     def takes(self) -> Mapping[str, str]:

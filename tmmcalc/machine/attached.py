@@ -6,7 +6,8 @@ they were found is known here.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -18,7 +19,6 @@ from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.core.numerics.simpson import simpson
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
-from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.results import Extreme, Grade
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.nodes import NEAR, on_edges
@@ -68,7 +68,7 @@ class Attached:
     @property
     def period(self) -> float:
         """Angle of the input shaft after which it repeats [rad]."""
-        return TURN * self.turns
+        return 2 * math.pi * self.turns
 
     def on(self, panels: Panels, values: Values) -> Values:
         """Functions (..., K, N) on finer panels of whole periods."""
@@ -87,11 +87,22 @@ class Attached:
         return np.maximum(np.mod(theta + near, self.period) - near, 0.0)
 
 
-def with_attached(result: Reduction, attached: Attached) -> Reduction:
-    """A reduction, of whole periods of what is attached, with its causes behind those of the linkage.
+def common_turns(attached: Iterable[Attached]) -> int:
+    """The turns of the shaft after which all of them repeat."""
+    return math.lcm(1, *(each.turns for each in attached))
+
+
+def with_attached(result: Reduction, attached: Iterable[Attached]) -> Reduction:
+    """A reduction, of whole periods of all that is attached, with its causes behind those of the linkage.
 
     Raises `UsageError` where the input does not turn fully: nothing then repeats with it.
     """
+    for each in attached:
+        result = _with_one(result, each)
+    return result
+
+
+def _with_one(result: Reduction, attached: Attached) -> Reduction:
     if not result.whole:
         raise UsageError(
             f"the {attached.name} repeats with the turns of the crank, which does not turn fully",

@@ -146,10 +146,14 @@ def _reduced(spec: MachineTables) -> Reduction:
     from tmmcalc.linkage.kinematics import solve_kinematics
     from tmmcalc.linkage.structure import solve_structure
     from tmmcalc.machine.model import TorqueTask
-    from tmmcalc.machine.stages.reduction import inputs, solve
+    from tmmcalc.machine.stages.reduction import inputs
 
     given = inputs(spec)
     if isinstance(given, TorqueTask):
-        return solve(given)
+        from tmmcalc.machine.diagram.reduced import reduced_diagram
+
+        return reduced_diagram(given)
+    from tmmcalc.machine.reduction.solve import solve_reduction
+
     mechanism, loading, rods = given
-    return solve(mechanism, loading, rods, kinematics=solve_kinematics(mechanism, solve_structure(mechanism)))
+    return solve_reduction(mechanism, loading, solve_kinematics(mechanism, solve_structure(mechanism)), rods)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
@@ -117,13 +119,9 @@ def solve_motion(
     away, its energy does not last for a cycle, or no speed balances its loads.
     """
     sense = math.copysign(1.0, positions.phi[-1])
-    if undriven:
-        from tmmcalc.machine.selfregulation import self_regulated
-
-        regime, quiet = self_regulated(cycle, inertia.total, sense=sense), None
-    else:
-        regime = _regime(cycle, inertia, driver, speed, sense, tolerance)
-        quiet = _idle(idle, inertia, driver, speed, tolerance)
+    settled = _by_drive(driver, speed, undriven, tolerance)
+    regime = settled(cycle, inertia.total, sense=sense)
+    quiet = None if undriven or idle is None else _quiet(partial(settled, idle, inertia.total))
     return motion_of(cycle, regime, quiet, inertia, driver, positions, key, undriven, there)
 
 
@@ -233,27 +231,26 @@ def _verdicts(
     return tuple(sorted((off, *found), key=lambda verdict: verdict.severity == "note"))
 
 
-def _regime(
-    cycle: Cycle, inertia: ConstantInertia, driver: Driver | None, speed: float, sense: float, tolerance: float
-) -> Regime:
+def _by_drive(driver: Driver | None, speed: float, undriven: bool, tolerance: float) -> Callable[..., Regime]:
+    """The function ``(cycle, constant inertia, sense=1)`` that finds the regime, by what drives the machine."""
+    if undriven:
+        from tmmcalc.machine.selfregulation import self_regulated
+
+        return self_regulated
     if driver is None:
         from tmmcalc.machine.positional import positional
 
-        return positional(cycle, inertia.total, speed, sense=sense)
+        return partial(positional, speed=speed)
     from tmmcalc.machine.steady import driven
 
-    lag = driver.time_constant
-    return driven(cycle, inertia.total, driver.characteristic, time_constant=lag, sense=sense, tolerance=tolerance)
+    motor, lag = driver.characteristic, driver.time_constant
+    return partial(driven, characteristic=motor, time_constant=lag, tolerance=tolerance)
 
 
-def _idle(
-    idle: Cycle | None, inertia: ConstantInertia, driver: Driver | None, speed: float, tolerance: float
-) -> Regime | None:
-    """The idle run, if the machine has one: it is shown beside the loaded one and decides nothing."""
-    if idle is None:
-        return None
+def _quiet(idle: Callable[[], Regime]) -> Regime | None:
+    """The idle run, if there is a regime of it: it is shown beside the loaded one and decides nothing."""
     try:
-        return _regime(idle, inertia, driver, speed, 1.0, tolerance)
+        return idle()
     except (NoSolutionError, AccuracyError):
         return None
 

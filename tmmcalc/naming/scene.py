@@ -85,7 +85,7 @@ class Scene:
                     spec = own.part("placed")(self.spec, place.first)
                 except (UnitError, UsageError):
                     continue  # told where the rows are known; or there is no mechanism
-                solve = self.instead.get(name, own.solve)
+                solve = self.instead.get(name, own.solved)
                 results[name] = solve(*arguments(own.inputs(spec)), **own.given(results), **own.settings)
                 found[name] = Scene(spec, dict(results), self.instead)
             results[name] = found[name].results[name]

@@ -7,6 +7,7 @@ not see the same numbers to the last bit. Without an output folder nothing is ha
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
@@ -29,9 +30,9 @@ Target = str | Sequence[str] | None
 
 
 def run(
-    spec: object,
-    *,
+    spec: Any,
     target: Target = None,
+    *,
     scene: Plan | None = None,
     out: Path | None = None,
     fresh: bool = False,
@@ -43,6 +44,8 @@ def run(
     tolerance: float | None = None,
     on_start: Callable[[str], None] | None = None,
     on_event: Callable[[Event], None] | None = None,
+    on_end: Callable[[Any, RunResult], RunResult] | None = None,
+    within: AbstractContextManager[object] | None = None,
     keep_going: bool = False,
     wait: float | None = None,
     by_name: bool = False,
@@ -58,7 +61,8 @@ def run(
     form that is declared. ``skip``: stages that are left out,
     with all that read them. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``tolerance``
     is the relative error asked of every stage: one with a choice takes the cheapest method for it. ``on_start`` is
-    called with the name of a stage before it runs, ``on_event`` as soon as it is done. ``keep_going``: a stage without
+    called with the name of a stage before it runs, ``on_event`` as soon as it is done, ``on_end`` with the spec and the
+    result, to return what the run gives; it goes on ``within`` a context. ``keep_going``: a stage without
     a solution ends only those that read it, and is told in ``failures``. ``wait``: seconds that a folder is waited for
     while another process works in it. ``by_name``: the results are asked by name alone, neither stored nor shown, so
     stages leave out what no name can ask for.
@@ -70,52 +74,51 @@ def run(
     cannot be read or written; AccuracyError for a stage that does not reach ``tolerance`` by its own estimate; and
     what a stage raises, unless it is to keep going. The files of earlier stages stay valid.
     """
-    first = settling(spec, target, stages, skip)
-    asked = scene or plan(spec, target, stages, skip)
-    if first is None:
-        _check_target(asked)
+    with within or nullcontext():
+        first = settling(spec, target, stages, skip)
+        asked = scene or plan(spec, target, stages, skip)
+        if first is None:
+            _check_target(asked)
+            if columns:
+                from tmmcalc.naming.declared import check_columns
+
+                check_columns(columns, [stages[name] for name in asked.running], spec)
+        options, forced = _options(settings or {}, stages, tolerance), _forced(fresh, from_stage, stages)
+        work = _Run(spec, stages, options, tolerance, keep_going, on_start, on_event, by_name)
+        archive = work.archive = _archive(out, csv, columns, wait, work.wait)
+
+        for reasons in (forced, afresh := dict.fromkeys(stages, "stored files do not fit")):
+            try:
+                for each in work.missing(first, asked, target, skip, reasons):
+                    with work.failing(each), believed(each.reads):
+                        work.computed(each, each.stage.dump(each.solve(*each.given, **each.keywords)))
+                break
+            except UnfitError as error:
+                if reasons is afresh:
+                    raise
+                work.begin_afresh(spec, error)
         if columns:
-            from tmmcalc.naming.declared import check_columns
+            from tmmcalc.naming.scene import Scene
+            from tmmcalc.pipeline.csvcolumns import by_choice
 
-            check_columns(columns, [stages[name] for name in asked.running], spec)
-    options, forced = _options(settings or {}, stages, tolerance), _forced(fresh, from_stage, stages)
-    work = _Run(spec, stages, options, tolerance, keep_going, on_start, on_event, by_name)
-    archive = work.archive = _archive(out, csv, columns, wait, work.wait)
-
-    for reasons in (forced, afresh := dict.fromkeys(stages, "stored files do not fit")):
-        try:
-            for each in work.missing(first, asked, target, skip, reasons):
-                try:
-                    with believed(each.reads):
-                        record = each.stage.dump(each.stage.solve(*each.given, **each.keywords))
-                    work.computed(each, record)
-                except TmmError as error:
-                    work.failed(each.stage, error, each.began)
-            break
-        except UnfitError as error:
-            if reasons is afresh:
-                raise
-            work.begin_afresh(spec, error)
-    if columns:
-        from tmmcalc.naming.scene import Scene
-        from tmmcalc.pipeline.csvcolumns import by_choice
-
-        further = by_choice(columns, work.outcomes, Scene(work.spec, Results(work.outcomes, work.alone)))
-        if archive is not None:
-            archive.write_tables(work.outcomes, further)
-    if archive is not None and target is None:
-        archive.clear(plan(work.spec, None, stages).running if skip else work.scene.running, work.tell)
-    files = () if archive is None else archive.files(work.outcomes)
-    return RunResult(
-        work.outcomes, work.scene, tuple(work.events), files, work.failures, work.spec, work.told, work.alone
-    )
+            further = by_choice(columns, work.outcomes, Scene(work.spec, Results(work.outcomes, work.alone)))
+            if archive is not None:
+                archive.write_tables(work.outcomes, further)
+        if archive is not None and target is None:
+            archive.clear(plan(work.spec, None, stages).running if skip else work.scene.running, work.tell)
+        files = () if archive is None else archive.files(work.outcomes)
+        found = RunResult(
+            work.outcomes, work.scene, tuple(work.events), files, work.failures, work.spec, work.told, work.alone
+        )
+    return found if on_end is None else on_end(spec, found)
 
 
 class Missing(NamedTuple):
     """A stage that has to be computed."""
 
     stage: Stage
-    given: tuple[Any, ...]  # arguments of its function
+    solve: Callable[..., Any]  # the function that finds its result
+    given: tuple[Any, ...]  # its arguments
     keywords: Mapping[str, Any]
     reads: Sequence[Outcome]  # those of the stages that it reads
     reason: str  # why it is not loaded
@@ -195,11 +198,11 @@ class _Run:
                 outcomes = [self.outcomes[name] for name in read if name in self.outcomes]
                 less = stage.by_name if self.by_name else {}
                 with believed(outcomes):
-                    given, keywords = stage.called(*arguments(inputs), **read, **chosen, **less)
+                    solve, given, keywords = stage.called(*arguments(inputs), **read, **chosen, **less)
             except TmmError as error:
                 self.failed(stage, error, began)
                 continue
-            yield Missing(stage, given, keywords, outcomes, reason, began)
+            yield Missing(stage, solve, given, keywords, outcomes, reason, began)
 
     def computed(self, each: Missing, record: Record) -> None:
         """What goes on of a result, stored where there is an archive: its record."""
@@ -259,6 +262,14 @@ class _Run:
             self._lost.add(stage.name)
             self.tell(Event(stage.name, "lost", f"it reads {', '.join(missing)}"))
         return bool(missing)
+
+    @contextmanager
+    def failing(self, each: Missing) -> Iterator[None]:
+        """Work out a stage inside the block, which may have no result."""
+        try:
+            yield
+        except TmmError as error:
+            self.failed(each.stage, error, each.began)
 
     def failed(self, stage: Stage, error: TmmError, began: float) -> None:
         """Keep the error of a stage without a result for the end, and tell so; raises it unless the run goes on."""

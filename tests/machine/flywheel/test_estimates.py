@@ -19,9 +19,9 @@ from machine.flywheel.test_solve import wanted
 from machine.test_estimates import THETA, missed, peak, primitive
 from tmmcalc.core.errors import TmmError
 from tmmcalc.machine.driver import ConstantInertia
-from tmmcalc.machine.flywheel.methods import METHODS
 from tmmcalc.machine.flywheel.required import required_inertia
 from tmmcalc.machine.flywheel.solve import Machine, solve_flywheel
+from tmmcalc.machine.flywheel.wittenbauer import METHODS
 
 TANGENT = tuple(rule for rule in METHODS if rule.find is rule.draw)  # those that draw the tangents that they find
 APART = 1e-4  # relative step of the inertia from which its derivative is taken

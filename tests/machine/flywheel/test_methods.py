@@ -16,9 +16,9 @@ from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.diagram import from_harmonics, from_pieces
 from tmmcalc.machine.flywheel.curve import energy_curve
-from tmmcalc.machine.flywheel.methods import METHODS, FlywheelMethod, nodal_flywheels, positional_flywheels
+from tmmcalc.machine.flywheel.methods import FlywheelMethod, nodal_flywheels, positional_flywheels
 from tmmcalc.machine.flywheel.resimulation import motions
-from tmmcalc.machine.flywheel.wittenbauer import energy_mass
+from tmmcalc.machine.flywheel.wittenbauer import METHODS, energy_mass
 from tmmcalc.machine.nodes import nodal_work
 from tmmcalc.machine.positional import positional
 

@@ -25,11 +25,12 @@ from tmmcalc.core.studies.study import Reference, Series, Study
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import Driver
 from tmmcalc.machine.flywheel.curve import energy_curve
-from tmmcalc.machine.flywheel.methods import METHODS, Rule, nodal_flywheels, tangents
+from tmmcalc.machine.flywheel.methods import nodal_flywheels
 from tmmcalc.machine.flywheel.required import fluctuation, required_inertia
 from tmmcalc.machine.flywheel.resimulation import motions
 from tmmcalc.machine.flywheel.results import Flywheel
 from tmmcalc.machine.flywheel.search import Model, corrections
+from tmmcalc.machine.flywheel.wittenbauer import METHODS, Rule, tangents
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.machine.onemass import onto
 from tmmcalc.machine.stages.flywheel import asked

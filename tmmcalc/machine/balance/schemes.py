@@ -12,6 +12,7 @@ orders 2 and -2 the same for the second harmonic.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -124,11 +125,6 @@ def with_weights(
     )
 
 
-def least_squares_counterweight(shaking: Shaking) -> Balance:
-    """One counterweight on the crank, for the least mean square of the force left. Textbook (3.74)."""
-    return rotating_weights(shaking, (1,), scheme="least squares")
-
-
 def minimax_counterweight(shaking: Shaking) -> Balance:
     """One counterweight on the crank, for the least possible maximum of the force left.
 
@@ -172,3 +168,7 @@ def rotating_weights(shaking: Shaking, orders: Iterable[int], scheme: str = "rot
         per_unit = per_moment(order, shaking.speed, shaking.acceleration)
         weights.append(RotatingWeight(order, -shaking.series.coefficient(order) / per_unit, shaking.pivot))
     return with_weights(shaking, weights, scheme)
+
+
+# one counterweight on the crank, for the least mean square of the force left: textbook (3.74)
+least_squares_counterweight = partial(rotating_weights, orders=(1,), scheme="least squares")

@@ -19,9 +19,9 @@ from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.collocation import Orbit
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import energy_curve
-from tmmcalc.machine.flywheel.methods import METHODS, check, tangents
 from tmmcalc.machine.flywheel.results import RequiredInertia, Trial
 from tmmcalc.machine.flywheel.search import Model, inertia_between, least_inertia, sufficient, tried
+from tmmcalc.machine.flywheel.wittenbauer import METHODS, check, tangents
 from tmmcalc.machine.motors.characteristics import Characteristic
 from tmmcalc.machine.onemass import SPEEDS, OneMass, vanishing
 from tmmcalc.machine.regime import Regime

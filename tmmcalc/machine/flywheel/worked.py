@@ -18,8 +18,7 @@ from tmmcalc.core.quantity import Quantity, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import EnergyCurve, energy_curve, nodal_curve
-from tmmcalc.machine.flywheel.methods import METHODS, tangents
-from tmmcalc.machine.flywheel.wittenbauer import EnergyMass
+from tmmcalc.machine.flywheel.wittenbauer import METHODS, EnergyMass, tangents
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.report.drawing.scales import standard_scale
 

@@ -7,7 +7,7 @@ reactions (textbook 3.3.1.6).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any, cast
 
@@ -23,6 +23,7 @@ from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.loads.scene import Scene, compile_scene
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Extreme, Kinematics
+from tmmcalc.machine.attached import Attached, common_turns, with_attached
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.reduction.causes import Causes, Sample, causes_of
 from tmmcalc.machine.reduction.errors import Solved, estimate
@@ -33,17 +34,21 @@ from tmmcalc.machine.reduction.signs import wrong_signs
 
 
 def solve_reduction(
-    mechanism: Mechanism, loading: Loading, kinematics: Kinematics, rods: str = "exact", turns: int = 1
+    mechanism: Mechanism,
+    loading: Loading,
+    kinematics: Kinematics,
+    rods: str = "exact",
+    attached: Sequence[Attached] = (),
 ) -> Reduction:
     """Reduced moments and inertia over the cycle; ``rods`` is "exact" or "lumped" (static lumping of rods).
 
-    The cycle is a whole number of these ``turns`` of the crank. Raises `NoSolutionError` for self-locking, and for a
-    load that cannot be placed.
+    What is ``attached`` to the input link beside the linkage counts with it, and the cycle is a whole number of the
+    turns after which it repeats. Raises `NoSolutionError` for self-locking, and for a load that cannot be placed.
     """
     links = rods_of(mechanism, loading)
     static = lumped(mechanism, loading, links) if links else loading.bodies
     taken = replace(loading, bodies=static) if rods == "lumped" else loading
-    scene = compile_scene(mechanism, taken, kinematics, turns)
+    scene = compile_scene(mechanism, taken, kinematics, common_turns(attached))
     causes = causes_of(scene)
     theta, labels = scene.travel.rows(kinematics)
     nodes, dense, values, (tail, stuck, scale) = reduced(causes, theta, labels)
@@ -52,7 +57,8 @@ def solve_reduction(
     other = reduced_inertia(beside, scene.place(theta).configuration, len(theta))[0] if links else None
     error, errors = estimate(causes, found, scale, kinematics)
     how = Rods("lumped" if rods == "lumped" and links else "exact", links, other)
-    return reduction_of(causes, (theta, labels, nodes), (dense, values), error, how, errors, stuck=stuck)
+    alone = reduction_of(causes, (theta, labels, nodes), (dense, values), error, how, errors, stuck=stuck)
+    return with_attached(alone, attached)
 
 
 def reduction_of(

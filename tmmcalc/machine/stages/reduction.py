@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -60,32 +59,24 @@ def inputs(spec: MachineTables) -> Given:
     return to_linkage(spec.linkage), to_loading(spec), rods
 
 
-def solve(
+def solver(given: Mechanism | TorqueTask, *_: Any) -> str:
+    """A linkage is reduced, a torque diagram is so already."""
+    if isinstance(given, TorqueTask):
+        return "tmmcalc.machine.diagram.reduced:reduced_diagram"
+    return "tmmcalc.machine.reduction.solve:solve_reduction"
+
+
+def task(
     given: Mechanism | TorqueTask,
     loading: Loading | None = None,
     rods: str = "exact",
     *,
     kinematics: Kinematics | None = None,
     **attached: Attached,
-) -> Reduction:
-    """Reduce everything to the input link, with what is attached to it beside the linkage."""
-    turns = math.lcm(1, *(each.turns for each in attached.values()))
-    if isinstance(given, TorqueTask):
-        from tmmcalc.machine.diagram.solve import cycle_of
-        from tmmcalc.machine.stages.diagram import reduced_diagram
-
-        result = reduced_diagram(given.name, cycle_of(given), alone=not attached)
-    else:
-        from tmmcalc.machine.reduction.solve import solve_reduction  # a stored result is loaded without it
-
-        assert loading is not None
-        assert kinematics is not None
-        result = solve_reduction(given, loading, kinematics, rods, turns)
-    for each in attached.values():
-        from tmmcalc.machine.attached import with_attached
-
-        result = with_attached(result, each)
-    return result
+) -> tuple[Any, ...]:
+    """What is reduced, and what is attached to the input link beside it."""
+    beside = tuple(attached.values())
+    return (given, beside) if isinstance(given, TorqueTask) else (given, loading, kinematics, rods, beside)
 
 
 def columns(result: Reduction) -> Sequence[Column]:
@@ -104,15 +95,14 @@ def _efficiency(result: Reduction, column: Column) -> np.ndarray:
 
 def further(spec: MachineTables, results: Mapping[str, Any]) -> Sequence[Column]:
     """Columns by choice: what every link, load and pair adds, the ordinates of Simpson's rule."""
-    from tmmcalc.machine.attached import Attached
+    from tmmcalc.machine.attached import Attached, common_turns
     from tmmcalc.machine.reduction.further import Linkage, further_columns
 
     given, linkage = inputs(spec), None
     attached = [each for each in results.values() if isinstance(each, Attached)]
     if not isinstance(given, TorqueTask):
         mechanism, loading, _ = given
-        turns = math.lcm(1, *(each.turns for each in attached))
-        linkage = Linkage(mechanism, loading, results["kinematics"], turns)
+        linkage = Linkage(mechanism, loading, results["kinematics"], common_turns(attached))
     return further_columns(results["reduction"], linkage, attached)
 
 

@@ -6,6 +6,7 @@ A moment that balances the diagram is a cause of its own beside it: its work and
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -15,30 +16,34 @@ from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.core.numerics.simpson import simpson
 from tmmcalc.linkage.results import Extreme
+from tmmcalc.machine.attached import Attached, with_attached
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.diagram.solve import cycle_of
+from tmmcalc.machine.model import TorqueTask
 from tmmcalc.machine.reduction.results import Contribution, Reduction, ReductionError
 
 POSITIONS = 24  # equal steps of a turn that are tabulated
 BALANCE = "balancing moment"
 
 
-def reduced_diagram(name: str, cycle: Cycle, *, alone: bool = True) -> Reduction:
+def reduced_diagram(task: TorqueTask, attached: Sequence[Attached] = ()) -> Reduction:
     """The reduction of a shaft with a moment diagram, and with its inertia, constant or over the angle.
 
-    A shaft that is not ``alone`` drives something more, which goes on where the diagram is switched off.
+    What is ``attached`` to it goes on where the diagram is switched off. Raises `UsageError` for a bad law.
     """
+    cycle = cycle_of(task)
     on = cycle.panels
     steps = POSITIONS * max(1, round(cycle.period / (2 * math.pi)))
     theta = np.linspace(0.0, cycle.period, steps + 1)
     parts = (cycle.moment - cycle.balancing)[None]
-    named: list[tuple[str, Literal["load", "balance"]]] = [(name, "load")]
+    named: list[tuple[str, Literal["load", "balance"]]] = [(task.name, "load")]
     if cycle.balancing:
         parts = np.concatenate((parts, np.full_like(parts, cycle.balancing)))
         named.append((BALANCE, "balance"))
     moment = np.stack([_tabulated(on, part, theta) for part in parts])
     inertia, slope = (_tabulated(on, part, theta) for part in (cycle.inertia, cycle.slope))
     least, largest = on.extremes(cycle.inertia)
-    return Reduction(
+    alone = Reduction(
         labels=tuple(map(str, range(steps + 1))),
         phi=theta,
         turns=True,
@@ -54,7 +59,7 @@ def reduced_diagram(name: str, cycle: Cycle, *, alone: bool = True) -> Reduction
         slope=slope,
         parts=parts,
         cycle=cycle,
-        idle=None if alone else replace(cycle, moment=np.zeros_like(cycle.moment), balancing=0.0),
+        idle=replace(cycle, moment=np.zeros_like(cycle.moment), balancing=0.0) if attached else None,
         inertia_range=(Extreme(*least), Extreme(*largest)),
         rods="exact",
         rod_links=(),
@@ -63,6 +68,7 @@ def reduced_diagram(name: str, cycle: Cycle, *, alone: bool = True) -> Reduction
         grades=(),
         counters={"panels": on.count, "points": on.x.size},
     )
+    return with_attached(alone, attached)
 
 
 def _error(cycle: Cycle, parts: Values) -> ReductionError:
