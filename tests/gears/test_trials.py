@@ -47,7 +47,7 @@ PAIRS = {
     "full": PairTask((13, 21), 0.005, rack=Rack(math.radians(25), 1.0, 0.25), strategy="given", shifts=(0.3, 0.2)),
     "tips": PairTask((16, 23), 0.004, tips=(0.0362, 0.0512), strategy="given", shifts=(0.2, 0.2)),
 }
-QUICK = {"spur": 60, "few helical": 24, "cut off": 6}  # points of those that are quick, or nearly so
+QUICK = {"few helical": 24, "cut off": 6}  # the first points of those that are quick
 FEET = (-0.74, 0.5), (-0.71, 0.5), (-0.68, 1.0), (-0.62, 0.5)  # shifts at which 4 teeth are, or all but are, cut off
 COUNT = 100
 NEAR = 1e-2, 1e-4, 1e-6, 1e-8  # below the limit of undercut
@@ -136,10 +136,7 @@ def computed(trial: Trial, points: list[Tried]) -> list[Any]:
 
 @pytest.fixture(
     scope="module",
-    params=[
-        pytest.param((name, count), id=name, marks=pytest.mark.slow if name == "spur" else ())
-        for name, count in QUICK.items()
-    ]
+    params=[pytest.param((name, count), id=name) for name, count in QUICK.items()]
     + [pytest.param((name, COUNT), id=f"all of {name}", marks=pytest.mark.slow) for name in PAIRS],
 )
 def plan(request: pytest.FixtureRequest) -> Plan:

@@ -21,6 +21,9 @@ from transforms import moved, renumbered, scaled, swapped, with_axes
 import tmmcalc
 from tmmcalc import Kinematics, Method, solve_kinematics
 from tmmcalc.linkage.model import Assembly, Mechanism
+from tmmcalc.linkage.placing import assembled
+from tmmcalc.linkage.structure import solve_structure
+from tmmcalc.linkage.variants import given_variants
 
 pytestmark = pytest.mark.slow
 
@@ -56,15 +59,16 @@ def unambiguous(scene: RandomMechanism) -> Mechanism:
 
 
 def signs(mechanism: Mechanism) -> dict[tuple[int, int], int] | None:
+    """What the sketch chooses, before anything is solved."""
+    structure = solve_structure(mechanism)
     try:
-        result = solve_kinematics(replace(mechanism, grid=replace(mechanism.grid, span=1e-6)))
+        chain = assembled(mechanism, structure, given_variants(mechanism, structure))
     except tmmcalc.TmmError:
         return None
-    groups = {group.name: group for group in result.structure.groups}
     return {
-        (groups[name].links[0], groups[name].links[1]): sign
-        for name, sign in result.variants.items()
-        if groups[name].kind not in ("PRP", "RPP")
+        (group.links[0], group.links[1]): step.variant
+        for group, step in zip(structure.groups, chain.steps, strict=True)
+        if group.kind not in ("PRP", "RPP")
     }
 
 

@@ -7,6 +7,7 @@ its own; of forces of position the energy by its primitive written out.
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -37,13 +38,14 @@ def compared(found: Regime, exact: Exact) -> dict[str, tuple[float, float]]:
     """Estimate and true error of all that a regime tells."""
     told, on = found.errors, found.panels
     omega, drive, eps = exact.omega, exact.driving, exact.acceleration
+    delta, time = exact.delta, exact.cycle_time
     at = np.concatenate((THETA, on.x.ravel()))
     return {
         "speed": (told.speed, missed(found.omega_at(at), exact.at(omega, at), omega)),
         "acceleration": (told.acceleration, missed(on.at(found.acceleration, at), exact.at(eps, at), eps)),
         "moment": (told.moment, missed(on.at(found.driving, at), exact.at(drive, at), drive)),
-        "fluctuation": (told.fluctuation, missed(found.delta, exact.delta, exact.delta)),
-        "time": (told.time, missed(found.cycle_time, exact.cycle_time, exact.cycle_time)),
+        "fluctuation": (told.fluctuation, missed(found.delta, delta, delta)),
+        "time": (told.time, missed(found.cycle_time, time, time)),
     }
 
 
@@ -125,10 +127,11 @@ def at_mean(machine: Drawn) -> tuple[Any, Any, Any, Any]:
         omega = np.sqrt(2 * np.maximum(level + work, 0) / inertia)
         return peak(-omega) * -1, peak(omega)
 
-    for _ in range(75):
-        level = (low + high) / 2
-        slow, fast = extremes(level)
-        low, high = (level, high) if slow + fast < 2 * machine.speed else (low, level)
+    def excess(level: Any) -> Any:
+        return sum(extremes(level)) - 2 * machine.speed
+
+    level = root(excess, low, high)
+    slow, fast = extremes(level)
     speeds = np.sqrt(2 * (level + work) / inertia)
     rates = (drive + machine.load(fine) - machine.bend(fine) * speeds**2 / 2) / inertia
     x = THETA.astype(WIDE)
@@ -136,6 +139,24 @@ def at_mean(machine: Drawn) -> tuple[Any, Any, Any, Any]:
     omega = np.sqrt(2 * (level + primitive(machine, drive, x)) / within)
     eps = (drive + machine.load(x) - machine.bend(x) * omega**2 / 2) / within
     return omega, eps, np.max(np.abs(rates)), (fast - slow) / WIDE(machine.speed)
+
+
+def root(function: Callable[[Any], Any], low: Any, high: Any) -> Any:
+    """Of a function that rises from low to high, to the last digit: false position with the halving of Illinois."""
+    below, above = function(low), function(high)
+    assert below < 0 < above
+    level, side = low, 0
+    for _ in range(75):
+        last, level = level, (low * above - high * below) / (above - below)
+        value = function(level)
+        if value == 0 or level in (last, low, high):
+            break
+        if value < 0:
+            low, below, above = level, value, above / (2 if side < 0 else 1)
+        else:
+            high, above, below = level, value, below / (2 if side > 0 else 1)
+        side = 1 if value > 0 else -1
+    return level
 
 
 def peak(values: Any) -> Any:

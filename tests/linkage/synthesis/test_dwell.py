@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -60,6 +61,7 @@ def turn(request: pytest.FixtureRequest) -> Turn:
     return whole_turn(linkage(request.param), 360)
 
 
+@cache
 def solved(asked: DwellTask, **more: Any) -> Synthesis:
     return solve_synthesis(SynthesisTask("dwell", asked, **more))
 
@@ -421,7 +423,7 @@ def test_the_search_beats_chance() -> None:
 
 def test_an_optimum_is_analysed() -> None:
     asked = replace(SOUGHT, stroke=0.2, optimum=replace(SHORT, weights=(100.0, 0.0, 1.0, 0.0, 0.0)))
-    result = solved(asked, solutions=2, seed=5)
+    result = solve_synthesis(SynthesisTask("dwell", asked, solutions=2, seed=5))
     dwell = dwell_of(result)
     assert dwell.cost == pytest.approx(100 * dwell.criteria[0] + dwell.criteria[2])
     assert dwell.cost == min(design.merits["cost"] for design in result.designs)
