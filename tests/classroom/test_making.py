@@ -369,6 +369,16 @@ def test_repeats_are_no_candidates(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert "within the spread" in message
 
 
+def test_a_spread_that_no_variant_keeps_ends_before_any_is_good(tmp_path: Path) -> None:
+    """The candidates whose clashes are looked for first are not sought for ever."""
+    text = (CONFIGS / "assignment-train.toml").read_text(encoding="utf-8")
+    file = tmp_path / "assignment.toml"
+    file.write_text(text.replace("digits = 5\n", "digits = 5\nspread = 1.0001\n"), encoding="utf-8")
+    with pytest.raises(NoSolutionError, match="within the spread"):
+        make_class(file, tmp_path / "class", 2, 7, jobs=1, clashes=clashes_of)
+    assert not (tmp_path / "class").exists()
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [

@@ -118,6 +118,17 @@ def test_a_known_mistake_makes_any_value_plausible() -> None:
     assert [(each.mistakes, each.items) for each in found.explanations] == [((0,), (0,))]
 
 
+def test_what_a_mistake_gives_is_not_right_by_plans() -> None:
+    """Of who computes with it; who draws and makes none keeps his points."""
+    wrong = Told("linkage.x", "x left out", "Mind x.", False)
+    given = (10.22, math.nan, 17.3, 51.7, 131.0, math.nan)
+    found = chained("10.22", "2.500", "17.30", "51.70", "131.0", "3.000", mistakes=(wrong,), mistaken=(given,))
+    assert found.standings[0] == "wrong"
+    assert found.explanations[0].items[0] == 0
+    drawn = chained("10.22", "2.500", "25.00", "75.00", "187.5", "3.000", mistakes=(wrong,), mistaken=(given,))
+    assert drawn.standings[0] == "right by plans"
+
+
 def test_a_mistake_that_explains_both_is_carried_on() -> None:
     wrong = Told("linkage.x", "x left out", "Mind x.", False)
     given = (math.nan, math.nan, 21.3, 61.7, math.nan, math.nan)  # no power of one another

@@ -232,6 +232,15 @@ def test_hints_of_a_spec_that_has_no_solution_tell_no_number(cli: Cli, spec: Pat
     assert done.out == ""
 
 
+def test_hints_are_told_in_the_language_of_the_student(cli: Cli, spec: Path, folder: Path) -> None:
+    handed(folder / "a.csv", 1, 2, 3, 4)
+    done = cli("class", "hints", "assignment.toml", "a.csv", "--language", "uk")
+    assert done.code == 0
+    assert "Оцінка" in done.out
+    assert "неправильно" in done.out
+    assert not re.search(r"\b(asked|wrong|hint|answer)\b", done.out)
+
+
 def test_hints_of_what_cannot_be_read(cli: Cli, spec: Path, folder: Path) -> None:
     (folder / "a.csv").write_bytes(b"\x89PNG")
     done = cli("class", "hints", "assignment.toml", "a.csv")

@@ -151,11 +151,14 @@ class Chooser:
             return
         first: list[_Judged] = []
         good: list[_Judged] = []
+        since = dear = 0  # since the last good one
         for each in every:
             first.append(each)
+            since, dear = since + 1, dear + (each.row is not None)
             if each.row is not None and self._judge.verdict(each.row).refusal is None:
                 good.append(each)
-            if len(good) == PROBED:
+                since = dear = 0
+            if len(good) == PROBED or since > MOST or dear > DEAR:
                 break
         counts = Counter(pair for each in good for pair in {*each.pairs})
         unavoided = tuple(sorted(pair for pair, count in counts.items() if count >= OFTEN * len(good)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from tmmcalc.classroom.answers.handed import Answer, HandIn, Pile, Refused
 from tmmcalc.classroom.carrying import OFF, carried_values, plausible
 from tmmcalc.classroom.explaining import Explanation, explain
 from tmmcalc.classroom.model import Item, Key, Keybook, Told, Values
-from tmmcalc.classroom.verdicts import Standing, rounding, standing_of
+from tmmcalc.classroom.verdicts import Standing, is_within, rounding, standing_of
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 
@@ -91,6 +92,9 @@ def mark_one(book: Keybook, key: Key, handed: HandIn, rules: Rules, counts: bool
     values = np.array([each.value for each in answers])
     halves = np.array([each.step / 2 for each in answers])
     explanations = explain(items, book.mistakes, key, (values, halves), standings, np.array(carried))
+    explanations = tuple(_with_plans(book, key, answers, standings, each) for each in explanations)
+    for k in {k for each in explanations for k in each.items if standings[k] is Standing.plans}:
+        standings[k] = Standing.wrong
     for k in _carried_on(items, key, answers, standings, carried, explanations):
         standings[k] = Standing.carried
     points = tuple(_points(item, standing, rules) for item, standing in zip(items, standings, strict=True))
@@ -98,6 +102,22 @@ def mark_one(book: Keybook, key: Key, handed: HandIn, rules: Rules, counts: bool
     return Marked(
         key.number, key.student, handed.source, answers, tuple(standings), points, explanations, remarks, counts
     )
+
+
+def _with_plans(
+    book: Keybook, key: Key, answers: Sequence[Answer], standings: Sequence[Standing], found: Explanation
+) -> Explanation:
+    """With the answers that are right by plans, where a mistake of the whole solution gives just these numbers."""
+    mistake = found.mistakes[0]
+    if book.mistakes[mistake].single:
+        return found
+    predicted = key.mistaken[mistake]
+    more = [
+        k
+        for k, (item, answer) in enumerate(zip(book.items, answers, strict=True))
+        if standings[k] is Standing.plans and is_within(answer.value, predicted[k], item, item.tolerance)
+    ]
+    return replace(found, items=tuple(sorted({*found.items, *more})), against=tuple({*found.against} - {*more}))
 
 
 def _carried_on(

@@ -10,9 +10,10 @@ from tmmcalc.classroom.marksheets import grades, hints_of, listed
 from tmmcalc.classroom.model import Keybook
 from tmmcalc.classroom.statistics import Statistics
 from tmmcalc.classroom.verdicts import Standing
+from tmmcalc.classroom.wording import header_of, standing_said
 from tmmcalc.core.notes import Phrase
 from tmmcalc.report.document import Document, Fact, View
-from tmmcalc.report.language import tr_name
+from tmmcalc.report.language import spoken, tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 
 SHOWN = 5  # mistakes that are told
@@ -64,10 +65,13 @@ def _notes(marks: Marks, statistics: Statistics) -> Iterator[Phrase]:
 
 def hints_document(marked: Marked, book: Keybook) -> Document:
     """How the answers of a student stand, and hints; no number but his own."""
+    plain = spoken() == "en"
     rows = [
-        (item.name, item.unit, answer.text, str(standing))
+        (item.name, tr_unit(item.unit), answer.text, str(standing) if plain else standing_said(standing))
         for item, answer, standing in zip(book.items, marked.answers, marked.standings, strict=True)
     ]
     headers = ["asked", "unit", "answer", "it is"]
-    notes = tuple(f"hint: {line}" for line in hints_of(book.items, book.mistakes, marked))
-    return Document("hints", notes=notes, table=View(headers, [*map(list, zip(*rows, strict=True))]))
+    if not plain:
+        headers = [header_of(each, "hints") for each in ("item", "unit", "answer", "is")]
+    notes = tuple(tr("hint: {line}", line=line) for line in hints_of(book.items, book.mistakes, marked))
+    return Document(tr("hints"), notes=notes, table=View(headers, [*map(list, zip(*rows, strict=True))]))

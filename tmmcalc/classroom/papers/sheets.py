@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from tmmcalc.classroom.papers.making import make_papers, order_of, traced
 from tmmcalc.core.atomic import blamed_on, replace_file
 from tmmcalc.note.forms import FORMS
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_unit
 
 if TYPE_CHECKING:
     from tmmcalc.classroom.model import Item
@@ -78,5 +78,5 @@ def _blank(items: Sequence[Item]) -> bytes:
     text = io.StringIO()
     table = csv.writer(text, delimiter=";", lineterminator="\n")
     table.writerow((tr("Quantity"), tr("Value"), tr("Unit")))
-    table.writerows((item.name, "", item.unit) for item in items)
+    table.writerows((item.name, "", tr_unit(item.unit)) for item in items)
     return text.getvalue().encode("utf-8-sig")
