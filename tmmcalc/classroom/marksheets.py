@@ -16,7 +16,7 @@ from tmmcalc.classroom.marking import Marked, Marks
 from tmmcalc.classroom.model import Key, Keybook, Told
 from tmmcalc.classroom.statistics import Statistics
 from tmmcalc.classroom.verdicts import Standing, distance
-from tmmcalc.classroom.wording import cell_of, header_of, standing_said, title_of
+from tmmcalc.classroom.wording import NONE, cell_of, header_of, standing_said, title_of
 from tmmcalc.core.cells import harmless
 from tmmcalc.core.printable import printable
 from tmmcalc.report.language import tr, tr_name, tr_unit
@@ -25,7 +25,6 @@ from tmmcalc.report.worksheets import Worksheet
 
 FIGURES = 5  # of numbers that people compare
 MOST_OFF = 10.0  # part of a value; beyond it how far an answer is off says nothing
-_NONE = "nothing was handed in"
 
 
 def grades(marks: Marks) -> Worksheet:
@@ -41,7 +40,7 @@ def grades(marks: Marks) -> Worksheet:
     ]
     rows = [_graded(marks, each) for each in marks.counting]
     rows += [
-        [key.number, key.student, None, _tidy(marks.most), _NONE] + [None, None] * len(items) for key in marks.absent
+        [key.number, key.student, None, _tidy(marks.most), NONE] + [None, None] * len(items) for key in marks.absent
     ]
     return _sheet("marks", headers, sorted(rows, key=lambda row: row[0]))
 
@@ -232,7 +231,7 @@ def as_csv(sheet: Worksheet) -> str:
 
 def as_markdown(sheets: Sequence[Worksheet], title: str) -> str:
     """Tables under headings, in the language in force."""
-    lines = [f"# {_md(title)}"]
+    lines = [f"# {_md(title_of(title))}"]
     for sheet in sheets:
         lines += ["", f"## {_md(title_of(sheet.name))}", ""]
         if not sheet.rows:

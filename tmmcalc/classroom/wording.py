@@ -9,11 +9,13 @@ from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.numbers import number
 
 KNOWN = frozenset(map(str, Standing))
+NONE = "nothing was handed in"  # in place of a file
 
 
 def _titles() -> dict[str, str]:
     return {
         "marks": tr("Marks"),
+        "marks, with the key": tr("Marks, with the key"),
         "answers": tr("Answers"),
         "mistakes": tr("Mistakes"),
         "items": tr("Asked results"),
@@ -88,6 +90,8 @@ def cell_of(cell: Any, header: str) -> str:
         return tr_unit(cell)
     if header == "counts":
         return tr("yes") if cell == "yes" else tr("no")
+    if cell == NONE:
+        return tr("nothing was handed in")
     if header in ("off", "off by"):
         return tr_number(cell)
     of_standing = (header == "is" or header.endswith(": is")) and cell in KNOWN
