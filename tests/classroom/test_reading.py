@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
 from xlsxwriter.workbook import Workbook
@@ -13,7 +15,7 @@ from classroom.books import STUDENTS, VALUES, item, press_class
 from tmmcalc.classroom.answers.handed import HandIn, Pile
 from tmmcalc.classroom.answers.naming import Names
 from tmmcalc.classroom.answers.reading import read_answers
-from tmmcalc.classroom.model import Key
+from tmmcalc.classroom.model import Item, Key
 
 BOOK = press_class()
 FIRST = VALUES[0]
@@ -279,3 +281,28 @@ def test_an_item_that_stands_twice(tmp_path: Path) -> None:
     assert len(found.remarks) == 2
     assert "twice" in found.remarks[0]
     assert "'size'" in found.remarks[1]
+
+
+def handed(folder: Path, text: str, items: Sequence[Item], **more: Any) -> HandIn:
+    """What a table tells of a class of one."""
+    key = Key(1, "", (1.0,) * len(items), ())
+    pile = read_answers(written(folder, "1.csv", text), items, [key], **more)
+    assert pile.refused == ()
+    (found,) = pile.hand_ins
+    return found
+
+
+CAM = (item("s", result="cam_law.dS@4", unit="mm"), item("ds", result="cam_law.S1@4", unit="mm"))
+
+
+def test_what_an_item_is_called_goes_before_the_result_of_another(tmp_path: Path) -> None:
+    found = handed(tmp_path, "n;s;ds\n3;1;2\n4;4,75;15,59\n", CAM)
+    assert (values(found), found.remarks) == ((4.75, 15.59), ())
+    one, other = item("x", result="kinematics.K"), item("K", result="kinematics.K_D")
+    assert [Names([one, other]).item(text) for text in ("k", "x", "kinematics.K")] == [1, 0, 0]
+
+
+def test_a_column_of_two_results_is_of_none(tmp_path: Path) -> None:
+    items = [item("first", result="cam_law.v@4"), item("other", result="kinematics.v@4")]
+    found = handed(tmp_path, "n;v;first;other\n4;1;2;3\n", items)
+    assert (values(found), found.remarks) == ((2.0, 3.0), ())
