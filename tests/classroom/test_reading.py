@@ -306,3 +306,32 @@ def test_a_column_of_two_results_is_of_none(tmp_path: Path) -> None:
     items = [item("first", result="cam_law.v@4"), item("other", result="kinematics.v@4")]
     found = handed(tmp_path, "n;v;first;other\n4;1;2;3\n", items)
     assert (values(found), found.remarks) == ((2.0, 3.0), ())
+
+
+MIXED = (
+    item("H", result="kinematics.stroke_B", unit="mm"),
+    item("R", result="forces.R_B@1", unit="kN"),
+    item("K", result="kinematics.K_B"),
+)
+
+
+@pytest.mark.parametrize(
+    "head",
+    ["Од.", "од", "Од. виміру", "Од. вим.", "Одиниці виміру", "[од.]", "Одиниця вимірювання", "(units)", "У чому", ""],
+)
+def test_a_column_of_units_by_any_header(tmp_path: Path, head: str) -> None:
+    found = handed(tmp_path, f"Назва;Значення;{head}\nH;12,05;см\nR;4512;Н\nK;1,2;-\n", MIXED)
+    assert values(found) == pytest.approx((120.5, 4.512, 1.2), rel=1e-12)
+    assert found.remarks == ()
+
+
+def test_a_column_that_is_not_used_is_told(tmp_path: Path) -> None:
+    text = "№;Назва;Значення;Перевірка;Од.;Примітка\n1;H;12,05;12;см;за планом\n2;R;4;4;кН;\n3;K;1,2;1;;\n"
+    found = handed(tmp_path, text, MIXED)
+    assert values(found) == pytest.approx((120.5, 4.0, 1.2), rel=1e-12)
+    assert found.remarks == ("columns of which nothing is read: 'Перевірка', 'Примітка'",)
+
+
+def test_a_unit_of_the_header_is_of_the_results_that_it_fits(tmp_path: Path) -> None:
+    found = handed(tmp_path, "Назва;Значення, Н\nH;120,5\nR;4512\nK;1,2\n", MIXED)
+    assert values(found) == pytest.approx((120.5, 4.512, 1.2), rel=1e-12)

@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from tmmcalc.classroom.answers.figures import NoNumberError, read_number
 from tmmcalc.classroom.answers.grids import Grid
 from tmmcalc.classroom.answers.limits import UnreadableError
-from tmmcalc.classroom.answers.measures import UnitOfAnswerError, factor_to, is_unit
+from tmmcalc.classroom.answers.measures import UnitOfAnswerError, factor_to, is_none, is_unit
 from tmmcalc.classroom.answers.naming import Names, Place, Roster, folded, parted
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
@@ -28,7 +28,21 @@ STUDENT = ("student", "name", "variant", "студент", "студентка",
 _ITEM = ("item", "quantity", "result", "величина", "результат", "позначення", "параметр", "symbol")
 _NAME = ("name", "назва", "найменування")  # of an item, where none of these is there; "name" may be the student's too
 _VALUE = ("value", "answer", "значення", "відповідь")
-_UNITS = ("unit", "units", "одиниця", "одиниці", "од. вим.", "одиниця вимірювання", "розмірність")
+_UNITS = (
+    "unit",
+    "units",
+    "одиниця",
+    "одиниці",
+    "од",
+    "од. вим.",
+    "од. виміру",
+    "од. вимірювання",
+    "одиниця виміру",
+    "одиниці виміру",
+    "одиниця вимірювання",
+    "одиниці вимірювання",
+    "розмірність",
+)
 _POSITION = ("position", "положення", "номер положення", "№ положення", "пол.", "i", "n", "no", "№")
 _ANGLE = ("phi", "φ", "φ1", "phi_1", "phi1", "angle", "кут", "кут повороту", "кут φ", "кут повороту кривошипа")
 NEAR = 0.05  # deg, within which the angle of a row is that of a position
@@ -57,6 +71,7 @@ class Table:
     entries: tuple[Entry, ...]
     student: str = ""  # of the whole table, as written in it
     unknown: tuple[str, ...] = ()  # names of no item
+    unused: tuple[str, ...] = ()  # heads of columns of which nothing is read
 
 
 def entries_of(grid: Grid, names: Names, roster: Roster, step: float) -> Table:
@@ -84,7 +99,12 @@ Row = tuple[int, list[str]]
 
 
 def _is(cell: str, words: Sequence[str]) -> bool:
-    return folded(parted(cell)[0]).strip(":.") in {folded(word).strip(":.") for word in words}
+    return _bare(parted(cell)[0]) in {_bare(word) for word in words}
+
+
+def _bare(text: str) -> str:
+    """A word of a header as it is compared, without the signs about it."""
+    return re.sub(r"[.:()\[\]]", "", folded(text))
 
 
 def _find(row: Sequence[str], words: Sequence[str]) -> int | None:
@@ -110,6 +130,11 @@ def _of_long(rows: Sequence[Row], names: Names, item: int) -> Table:
     student, value, unit = (_find(header, words) for words in (STUDENT, _VALUE, _UNITS))
     if student == item:
         student = None
+    known = {student, value, item, unit}
+    others = [k for k in range(max(len(row) for _, row in rows)) if k not in known and any(_below(rows, k))]
+    if unit is None and (unit := next((k for k in others if _are_units(_below(rows, k))), None)) is not None:
+        others.remove(unit)
+    unused = tuple(head for k in others if (head := _cell(header, k)) and not _is(head, _POSITION))
     head_unit = parted(header[value])[1] if value is not None else ""
     found, unknown, last = [], [], ""
     for number, row in rows[1:]:
@@ -119,9 +144,19 @@ def _of_long(rows: Sequence[Row], names: Names, item: int) -> Table:
         if k is None:
             unknown += [name] * bool(name)
         else:
-            of_row = _cell(row, unit) or name_unit or head_unit
+            of_row = _cell(row, unit) or name_unit or (head_unit if names.has_unit(k, head_unit) else "")
             found.append(Entry(last, k, _cell(row, value), of_row, _row(number)))
-    return Table(tuple(found), unknown=tuple(unknown))
+    return Table(tuple(found), unknown=tuple(unknown), unused=unused)
+
+
+def _below(rows: Sequence[Row], k: int) -> list[str]:
+    """What stands under the header in a column."""
+    return [cell for _, row in rows[1:] if (cell := _cell(row, k))]
+
+
+def _are_units(cells: Sequence[str]) -> bool:
+    """Whether most are units, and one does not say that there is none."""
+    return 2 * sum(map(is_unit, cells)) > len(cells) and any(is_unit(cell) and not is_none(cell) for cell in cells)
 
 
 def _best_header(rows: Sequence[Row], names: Names) -> tuple[int, int]:

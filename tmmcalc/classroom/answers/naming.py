@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from difflib import get_close_matches
 
+from tmmcalc.classroom.answers.measures import fits
 from tmmcalc.classroom.model import Item, Key
 from tmmcalc.core.records import record
 from tmmcalc.spec.cyrillic import alike
@@ -98,6 +99,7 @@ class Names:
     """The items by all their names."""
 
     def __init__(self, items: Sequence[Item]) -> None:
+        self._units = [item.unit for item in items]
         own = [(name, k) for k, item in enumerate(items) for name in (item.name, *item.also)]
         known = [(name, k) for k, item in enumerate(items) for name in _names(item)]
         self._tiers = [
@@ -122,6 +124,10 @@ class Names:
             return found, ""
         name, unit = parted(text)
         return self.item(name), unit
+
+    def has_unit(self, item: int, unit: str) -> bool:
+        """Whether a unit that stands over several items may be that of this one."""
+        return fits(unit, self._units[item])
 
     def column(self, text: str) -> tuple[frozenset[Place], str]:
         """The items of a column of a table over positions, and the unit of its header."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from tmmcalc.classroom.answers.grids import Grid, grid_of, text_of
@@ -218,18 +219,19 @@ def _by_student(
 
 
 def _with_strange(found: HandIn, tables: Sequence[Table]) -> HandIn:
-    """A hand-in with a remark on the names in its tables that nobody has asked for."""
-    names = [name for table in tables for name in table.unknown]
-    if not names:
-        return found
+    """A hand-in with remarks on what its tables tell that is not read."""
+    unknown = [name for table in tables for name in table.unknown]
+    unused = [head for table in tables for head in table.unused]
+    told = [_listed("not asked: {names}", unknown)] * bool(unknown)
+    told += [_listed("columns of which nothing is read: {names}", unused)] * bool(unused)
+    return replace(found, remarks=(*found.remarks, *told))
+
+
+def _listed(what: str, names: Sequence[str]) -> Phrase:
+    """A remark with the first of the names, and how many more there are."""
     shown = tuple(map(show, names[:SHOWN]))
     more = len(names) - SHOWN
-    remark = (
-        Phrase("not asked: {names} and {count} more", names=shown, count=more)
-        if more > 0
-        else Phrase("not asked: {names}", names=shown)
-    )
-    return HandIn(found.number, found.source, found.answers, (*found.remarks, remark))
+    return Phrase(what + " and {count} more", names=shown, count=more) if more > 0 else Phrase(what, names=shown)
 
 
 def _owner(source: str, tables: Sequence[Table], roster: Roster) -> int:
