@@ -414,3 +414,10 @@ def test_where_the_positions_of_an_assignment_are(tmp_path: Path, changes: dict[
         text = text.replace(old, new, 1)
     found = steps_of(load_spec(written(tmp_path, "press.toml", text)))
     assert (found.step, found.start) == pytest.approx((steps.step, steps.start), nan_ok=True)
+
+
+def test_angles_in_minutes_and_seconds(tmp_path: Path) -> None:
+    items = [item("alpha", unit="deg"), item("beta", unit="rad"), item("H", unit="mm")]
+    found = handed(tmp_path, "alpha;20°38'\nbeta;20° 38' 15\"\nH;20°38'\n", items)
+    assert values(found)[:2] == pytest.approx((20 + 38 / 60, math.radians(20 + 38 / 60 + 15 / 3600)), rel=1e-12)
+    assert "no unit of" in found.answers[2].fault
