@@ -421,3 +421,11 @@ def test_angles_in_minutes_and_seconds(tmp_path: Path) -> None:
     found = handed(tmp_path, "alpha;20°38'\nbeta;20° 38' 15\"\nH;20°38'\n", items)
     assert values(found)[:2] == pytest.approx((20 + 38 / 60, math.radians(20 + 38 / 60 + 15 / 3600)), rel=1e-12)
     assert "no unit of" in found.answers[2].fault
+
+
+@pytest.mark.parametrize("prime", ["'", "′", "’", "''", "″"])
+def test_a_derivative_is_not_what_it_is_of(tmp_path: Path, prime: str) -> None:
+    found = handed(tmp_path, f"n;s;s{prime};ds\n4;4,75;9;15,59\n", CAM)
+    assert (values(found), found.remarks) == ((4.75, 15.59), ())
+    names = Names([item("s"), item(f"s{prime}"), item("x", result="forces.R_A@6"), item("y", result="forces.R_A@6'")])
+    assert [names.item(text) for text in ("s", f"S {prime}", "'s'", "R A @ 6", "R A @ 6′")] == [0, 1, 0, 2, 3]

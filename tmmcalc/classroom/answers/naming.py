@@ -83,7 +83,15 @@ def folded(text: str) -> str:
 
 
 def _loose(text: str) -> str:
-    return re.sub(r"[\W_]", "", folded(text))
+    """A name without its signs, but for the primes of a derivative or of a position, which make it another.
+
+    >>> _loose("R_1,2"), _loose("s′"), _loose("«s'»")
+    ('r12', "s'", 's')
+    """
+    bare = folded(text)
+    primes = re.search(r"(?<=\w)['\u2019\u2032\u2033]+$", bare)
+    count = len(primes[0].replace("\u2033", "''")) if primes and bare[0] not in "'\u2018\u2019" else 0
+    return re.sub(r"[\W_]", "", bare) + "'" * count
 
 
 @record
