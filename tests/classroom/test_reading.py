@@ -329,6 +329,12 @@ def test_a_column_of_units_by_any_header(tmp_path: Path, head: str) -> None:
     assert found.remarks == ()
 
 
+@pytest.mark.parametrize("head", ["Од.", "Од. виміру", "Одиниці виміру", "[од.]"])
+def test_a_header_of_units_is_known_whatever_stands_under_it(tmp_path: Path, head: str) -> None:
+    found = handed(tmp_path, f"Назва;Значення;{head}\nH;12,05;см\nR;4;умовна\nK;1,2;немає\n", MIXED)
+    assert (found.answers[0].value, found.answers[1].fault) == (120.5, "'умовна' is no unit that is known")
+
+
 def test_a_column_that_is_not_used_is_told(tmp_path: Path) -> None:
     text = "№;Назва;Значення;Перевірка;Од.;Примітка\n1;H;12,05;12;см;за планом\n2;R;4;4;кН;\n3;K;1,2;1;;\n"
     found = handed(tmp_path, text, MIXED)
@@ -396,6 +402,12 @@ def test_a_position_that_is_not_there_is_told_beside_the_others(tmp_path: Path) 
     assert (found.answers[0].value, found.remarks) == (2045.0, ("R: no row is that of the angle 60 deg",))
     found = handed(tmp_path, over(3, 4, head="положення;R;M"), AT)
     assert found.remarks == ("R: no row is that of position 10",)
+
+
+def test_a_position_in_another_sheet_is_there(tmp_path: Path) -> None:
+    sheets: list[list[list[object]]] = [[["n", "R", "M"], [k, 100 + k, 200 + k]] for k in (10, 4)]
+    (found,) = read_answers(book(tmp_path / "1.xlsx", *sheets), AT, [Key(1, "", (1.0, 1.0), ())]).hand_ins
+    assert (values(found), found.remarks) == ((110.0, 204.0), ())
 
 
 @pytest.mark.parametrize(
