@@ -342,6 +342,12 @@ def test_a_column_that_is_not_used_is_told(tmp_path: Path) -> None:
     assert found.remarks == ("columns of which nothing is read: 'Перевірка', 'Примітка'",)
 
 
+def test_many_columns_that_are_not_used_are_told_in_short(tmp_path: Path) -> None:
+    heads = ";".join(f"x{k}" for k in range(7))
+    found = handed(tmp_path, f"Назва;Значення;{heads}\nH;12{';0' * 7}\n", MIXED)
+    assert found.remarks == ("columns of which nothing is read: 'x0', 'x1', 'x2', 'x3', 'x4' and 2 more",)
+
+
 def test_a_unit_of_the_header_is_of_the_results_that_it_fits(tmp_path: Path) -> None:
     found = handed(tmp_path, "Назва;Значення, Н\nH;120,5\nR;4512\nK;1,2\n", MIXED)
     assert values(found) == pytest.approx((120.5, 4.512, 1.2), rel=1e-12)

@@ -229,16 +229,19 @@ def _with_strange(found: HandIn, tables: Sequence[Table], items: Sequence[Item])
     unused = [head for table in tables for head in table.unused]
     lost = {k: what for table in tables for k, what in table.lost if not found.answers[k].text}
     told = [Phrase("{item}: {what}", item=items[k].name, what=what) for k, what in lost.items()]
-    told += [_listed("not asked: {names}", unknown)] * bool(unknown)
-    told += [_listed("columns of which nothing is read: {names}", unused)] * bool(unused)
+    if unknown:
+        told.append(_listed("not asked: {names}", "not asked: {names} and {count} more", unknown))
+    if unused:
+        whole = "columns of which nothing is read: {names}"
+        told.append(_listed(whole, "columns of which nothing is read: {names} and {count} more", unused))
     return replace(found, remarks=(*found.remarks, *told))
 
 
-def _listed(what: str, names: Sequence[str]) -> Phrase:
-    """A remark with the first of the names, and how many more there are."""
+def _listed(whole: str, cut: str, names: Sequence[str]) -> Phrase:
+    """A remark with all names, or with the first of many and how many more there are."""
     shown = tuple(map(show, names[:SHOWN]))
     more = len(names) - SHOWN
-    return Phrase(what + " and {count} more", names=shown, count=more) if more > 0 else Phrase(what, names=shown)
+    return Phrase(cut, names=shown, count=more) if more > 0 else Phrase(whole, names=shown)
 
 
 def _owner(source: str, tables: Sequence[Table], roster: Roster) -> int:
