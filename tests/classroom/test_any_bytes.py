@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from classroom.books import press_class
 from tmmcalc.classroom.answers.figures import NoNumberError, read_number
 from tmmcalc.classroom.answers.measures import UnitOfAnswerError, factor_to
+from tmmcalc.classroom.answers.positions import Steps
 from tmmcalc.classroom.answers.reading import UNFORESEEN, read_answers
 
 BOOK = press_class()
@@ -30,7 +31,7 @@ WORDS = st.lists(
 def read(name: str, content: bytes) -> None:
     with TemporaryDirectory() as folder:
         (Path(folder) / name).write_bytes(content)
-        pile = read_answers(Path(folder), BOOK.items, BOOK.keys, 30.0)
+        pile = read_answers(Path(folder), BOOK.items, BOOK.keys, Steps(30.0))
         assert pile.hand_ins or pile.refused or pile.empty
         assert all(len(each.answers) == len(BOOK.items) for each in pile.hand_ins)
         assert all("\n" not in each.message and UNFORESEEN not in each.message for each in pile.refused)

@@ -29,6 +29,11 @@ NUMBERS = {
     "≈ 30°": ("30", "1", 2, "°"),
     "2.50": ("2.5", "0.01", 3, ""),
     "12 1/s": ("12", "1", 2, "1/s"),
+    "20°38'": ("619/30", "1/60", 4, "deg"),
+    "−20° 38′ 15″": ("-4953/240", "1/3600", 5, "deg"),
+    "20 º 38’ 15,5''": ("148591/7200", "1/36000", 6, "deg"),
+    "0°30,0`": ("0.5", "1/600", 3, "deg"),
+    "0°0'": ("0", "1/60", 0, "deg"),
 }
 
 
@@ -42,7 +47,9 @@ def test_a_number_is_read_with_its_figures(text: str) -> None:
 NONE = ["", "abc", "=1+1", "+A1", "-SUM(A1)", "@x", "12 50", "1,2;3", "1..2", "12/5", "1.5±0.1", "½", "nan", "inf"]
 
 
-@pytest.mark.parametrize("text", [*NONE, "1e999", "9" * 100, "1,23,4", "1 - 2", "=cmd|' /C calc'!A0"])
+@pytest.mark.parametrize(
+    "text", [*NONE, "1e999", "9" * 100, "1,23,4", "20°60'", "20°10,5'3\"", "1 - 2", "=cmd|' /C calc'!A0"]
+)
 def test_what_is_no_number_is_told(text: str) -> None:
     with pytest.raises(NoNumberError):
         read_number(text)

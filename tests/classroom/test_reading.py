@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
 from xlsxwriter.workbook import Workbook
@@ -12,19 +14,23 @@ from xlsxwriter.workbook import Workbook
 from classroom.books import STUDENTS, VALUES, item, press_class
 from tmmcalc.classroom.answers.handed import HandIn, Pile
 from tmmcalc.classroom.answers.naming import Names
+from tmmcalc.classroom.answers.positions import UNKNOWN, Steps
 from tmmcalc.classroom.answers.reading import read_answers
-from tmmcalc.classroom.model import Key
+from tmmcalc.classroom.grading import steps_of
+from tmmcalc.classroom.model import Item, Key
+from tmmcalc.project.loader import load_spec
 
 BOOK = press_class()
 FIRST = VALUES[0]
+PRESS = Path(__file__).parents[2] / "configs" / "assignment-press.toml"
 
 
-def read(place: Path, step: float = 0.0) -> Pile:
-    return read_answers(place, BOOK.items, BOOK.keys, step)
+def read(place: Path, steps: Steps = UNKNOWN) -> Pile:
+    return read_answers(place, BOOK.items, BOOK.keys, steps)
 
 
-def only(place: Path, step: float = 0.0) -> HandIn:
-    pile = read(place, step)
+def only(place: Path, steps: Steps = UNKNOWN) -> HandIn:
+    pile = read(place, steps)
     assert pile.refused == ()
     (found,) = pile.hand_ins
     return found
@@ -198,7 +204,7 @@ def test_positions_by_number(tmp_path: Path) -> None:
 def test_positions_by_angle(tmp_path: Path) -> None:
     rows = [f"{20 + n * 30};{100 + n};{0.1 * n:.2f}" for n in range(12)]
     text = "φ;R_A;omega_2\n°;Н;рад/с\n" + "\n".join(rows)
-    found = only(written(tmp_path, "1.csv", text), step=30.0)
+    found = only(written(tmp_path, "1.csv", text), steps=Steps(30.0))
     assert (found.answers[3].value, found.answers[4].value, found.answers[1].value) == (0.103, 0.107, 0.3)
 
 
@@ -279,3 +285,165 @@ def test_an_item_that_stands_twice(tmp_path: Path) -> None:
     assert len(found.remarks) == 2
     assert "twice" in found.remarks[0]
     assert "'size'" in found.remarks[1]
+
+
+def handed(folder: Path, text: str, items: Sequence[Item], **more: Any) -> HandIn:
+    """What a table tells of a class of one."""
+    key = Key(1, "", (1.0,) * len(items), ())
+    pile = read_answers(written(folder, "1.csv", text), items, [key], **more)
+    assert pile.refused == ()
+    (found,) = pile.hand_ins
+    return found
+
+
+CAM = (item("s", result="cam_law.dS@4", unit="mm"), item("ds", result="cam_law.S1@4", unit="mm"))
+
+
+def test_what_an_item_is_called_goes_before_the_result_of_another(tmp_path: Path) -> None:
+    found = handed(tmp_path, "n;s;ds\n3;1;2\n4;4,75;15,59\n", CAM)
+    assert (values(found), found.remarks) == ((4.75, 15.59), ())
+    one, other = item("x", result="kinematics.K"), item("K", result="kinematics.K_D")
+    assert [Names([one, other]).item(text) for text in ("k", "x", "kinematics.K")] == [1, 0, 0]
+
+
+def test_a_column_of_two_results_is_of_none(tmp_path: Path) -> None:
+    items = [item("first", result="cam_law.v@4"), item("other", result="kinematics.v@4")]
+    found = handed(tmp_path, "n;v;first;other\n4;1;2;3\n", items)
+    assert (values(found), found.remarks) == ((2.0, 3.0), ())
+
+
+MIXED = (
+    item("H", result="kinematics.stroke_B", unit="mm"),
+    item("R", result="forces.R_B@1", unit="kN"),
+    item("K", result="kinematics.K_B"),
+)
+
+
+@pytest.mark.parametrize(
+    "head",
+    ["Од.", "од", "Од. виміру", "Од. вим.", "Одиниці виміру", "[од.]", "Одиниця вимірювання", "(units)", "У чому", ""],
+)
+def test_a_column_of_units_by_any_header(tmp_path: Path, head: str) -> None:
+    found = handed(tmp_path, f"Назва;Значення;{head}\nH;12,05;см\nR;4512;Н\nK;1,2;-\n", MIXED)
+    assert values(found) == pytest.approx((120.5, 4.512, 1.2), rel=1e-12)
+    assert found.remarks == ()
+
+
+@pytest.mark.parametrize("head", ["Од.", "Од. виміру", "Одиниці виміру", "[од.]"])
+def test_a_header_of_units_is_known_whatever_stands_under_it(tmp_path: Path, head: str) -> None:
+    found = handed(tmp_path, f"Назва;Значення;{head}\nH;12,05;см\nR;4;умовна\nK;1,2;немає\n", MIXED)
+    assert (found.answers[0].value, found.answers[1].fault) == (120.5, "'умовна' is no unit that is known")
+
+
+def test_a_column_that_is_not_used_is_told(tmp_path: Path) -> None:
+    text = "№;Назва;Значення;Перевірка;Од.;Примітка\n1;H;12,05;12;см;за планом\n2;R;4;4;кН;\n3;K;1,2;1;;\n"
+    found = handed(tmp_path, text, MIXED)
+    assert values(found) == pytest.approx((120.5, 4.0, 1.2), rel=1e-12)
+    assert found.remarks == ("columns of which nothing is read: 'Перевірка', 'Примітка'",)
+
+
+def test_many_columns_that_are_not_used_are_told_in_short(tmp_path: Path) -> None:
+    heads = ";".join(f"x{k}" for k in range(7))
+    found = handed(tmp_path, f"Назва;Значення;{heads}\nH;12{';0' * 7}\n", MIXED)
+    assert found.remarks == ("columns of which nothing is read: 'x0', 'x1', 'x2', 'x3', 'x4' and 2 more",)
+
+
+def test_a_unit_of_the_header_is_of_the_results_that_it_fits(tmp_path: Path) -> None:
+    found = handed(tmp_path, "Назва;Значення, Н\nH;120,5\nR;4512\nK;1,2\n", MIXED)
+    assert values(found) == pytest.approx((120.5, 4.512, 1.2), rel=1e-12)
+
+
+DRAWN = '[[class.drawn]]\nof = "mechanism.input.start"\namong = ["0 deg", "10 deg"]'
+AT = (item("R", result="forces.R_B@10"), item("M", result="forces.M@4"))
+TURN = range(12)
+
+
+def over(*angles: float, head: str = "φ, °;R;M") -> str:
+    """A table whose values tell the angles of their rows."""
+    return "\n".join([head, *(f"{angle:g};{1000 + angle:g};{2000 + angle:g}" for angle in angles)])
+
+
+@pytest.mark.parametrize(
+    ("steps", "angles", "at"),
+    [
+        (Steps(30.0, 0.0), [30.0 + 30 * k for k in TURN], (300, 120)),  # begins with position 1
+        (Steps(30.0, 0.0), [90.0, 120, 300], (300, 120)),
+        (Steps(30.0, 0.0), [300.0, 120], (300, 120)),
+        (Steps(30.0, 20.0), [50.0 + 30 * k for k in TURN], (320, 140)),
+        (Steps(30.0, 20.0), [30.0 + 30 * k for k in TURN], (300, 120)),  # counted from position 0
+        (Steps(-30.0, 20.0), [20.0 - 30 * k for k in TURN], (-280, -100)),
+        (Steps(30.0), [30.0 * k for k in TURN], (300, 120)),
+        (Steps(30.0), [20 + 30.0 * k for k in TURN], (320, 140)),
+        (Steps(30.0), [20 - 30.0 * k for k in TURN], (-280, -100)),
+    ],
+)
+def test_a_table_over_angles(tmp_path: Path, steps: Steps, angles: list[float], at: tuple[int, int]) -> None:
+    found = handed(tmp_path, over(*angles), AT, steps=steps)
+    assert (values(found), found.remarks) == ((1000.0 + at[0], 2000.0 + at[1]), ())
+
+
+@pytest.mark.parametrize(
+    ("steps", "angles", "what"),
+    [
+        (Steps(30.0, 60.0), [30.0 * k for k in TURN], "two rows may be that of position 10, at 0 deg or 300 deg"),
+        (Steps(30.0, 0.0), [15.0 + 30 * k for k in TURN], "no row is that of position 10, at 300 deg"),
+        (Steps(30.0), [30.0 + 30 * k for k in TURN], "two rows may be that of position 10, at 330 deg or 300 deg"),
+        (Steps(30.0), [90.0, 120, 300], "no row is that of position 10, whose angle is not known"),
+        (UNKNOWN, [30.0 * k for k in TURN], "no row is that of position 10, whose angle is not known"),  # as of a cam
+    ],
+)
+def test_a_row_that_is_not_found_for_certain(tmp_path: Path, steps: Steps, angles: list[float], what: str) -> None:
+    key = Key(1, "", (1.0, 1.0), ())
+    (refused,) = read_answers(written(tmp_path, "1.csv", over(*angles)), AT, [key], steps).refused
+    assert refused.message.startswith(f"names results over positions, and answers none: R: {what}; M: ")
+    assert refused.remedy == "write the number of each position in a column position"
+
+
+def test_a_position_that_is_not_there_is_told_beside_the_others(tmp_path: Path) -> None:
+    found = handed(tmp_path, over(90, 120), AT, steps=Steps(30.0, 0.0))
+    assert found.remarks == ("R: no row is that of position 10, at 300 deg",)
+    assert found.answers[1].value == 2120.0
+    by_angle = [item("M", result="forces.M[phi=45 deg]"), item("R", result="forces.R_B[phi=60 deg]")]
+    found = handed(tmp_path, over(45, 50), by_angle)
+    assert (found.answers[0].value, found.remarks) == (2045.0, ("R: no row is that of the angle 60 deg",))
+    found = handed(tmp_path, over(3, 4, head="положення;R;M"), AT)
+    assert found.remarks == ("R: no row is that of position 10",)
+
+
+def test_a_position_in_another_sheet_is_there(tmp_path: Path) -> None:
+    sheets: list[list[list[object]]] = [[["n", "R", "M"], [k, 100 + k, 200 + k]] for k in (10, 4)]
+    (found,) = read_answers(book(tmp_path / "1.xlsx", *sheets), AT, [Key(1, "", (1.0, 1.0), ())]).hand_ins
+    assert (values(found), found.remarks) == ((110.0, 204.0), ())
+
+
+@pytest.mark.parametrize(
+    ("changes", "steps"),
+    [
+        ({}, Steps(30.0, 0.0)),
+        ({'start = "0 deg"': 'start = "20 deg"', 'speed = "120 rpm"': 'speed = "-120 rpm"'}, Steps(-30.0, 20.0)),
+        ({"[[class.asked]]": f"{DRAWN}\n\n[[class.asked]]"}, Steps(30.0)),
+        ({"positions = 12": "positions = 12\nextremes = true"}, UNKNOWN),
+    ],
+)
+def test_where_the_positions_of_an_assignment_are(tmp_path: Path, changes: dict[str, str], steps: Steps) -> None:
+    text = PRESS.read_text(encoding="utf-8")
+    for old, new in changes.items():
+        assert old in text
+        text = text.replace(old, new, 1)
+    found = steps_of(load_spec(written(tmp_path, "press.toml", text)))
+    assert (found.step, found.start) == pytest.approx((steps.step, steps.start), nan_ok=True)
+
+
+def test_angles_in_minutes_and_seconds(tmp_path: Path) -> None:
+    items = [item("alpha", unit="deg"), item("beta", unit="rad"), item("H", unit="mm")]
+    found = handed(tmp_path, "alpha;20°38'\nbeta;20° 38' 15\"\nH;20°38'\n", items)
+    assert values(found)[:2] == pytest.approx((20 + 38 / 60, math.radians(20 + 38 / 60 + 15 / 3600)), rel=1e-12)
+    assert "no unit of" in found.answers[2].fault
+
+
+@pytest.mark.parametrize("prime", ["'", "′", "’", "''", "″"])
+def test_a_derivative_is_not_what_it_is_of(tmp_path: Path, prime: str) -> None:
+    found = handed(tmp_path, f"n;s;s{prime};ds\n4;4,75;9;15,59\n", CAM)
+    assert (values(found), found.remarks) == ((4.75, 15.59), ())
+    names = Names([item("s"), item(f"s{prime}"), item("x", result="forces.R_A@6"), item("y", result="forces.R_A@6'")])
+    assert [names.item(text) for text in ("s", f"S {prime}", "'s'", "R A @ 6", "R A @ 6′")] == [0, 1, 0, 2, 3]

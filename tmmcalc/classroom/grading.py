@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.answers.limits import UnreadableError
+from tmmcalc.classroom.answers.positions import UNKNOWN, Steps
 from tmmcalc.classroom.answers.reading import read_answers, read_own
 from tmmcalc.classroom.items import asked_now, class_of, items_of
 from tmmcalc.classroom.keybook import FILE as KEYS
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     from tmmcalc.classroom.tables.class_ import ClassTable
     from tmmcalc.project import Spec
 
+_START = "mechanism.input.start"
 FOLDER = "keys"  # where keys stand if nothing else is said: beside the class, or in this folder
 
 
@@ -41,7 +44,7 @@ def graded(place: Path, answers: Path, keys: Path | None = None) -> tuple[Marks,
     book = replace(book, items=asked_now(spec, book.items))
     if not answers.exists():
         raise UsageError(f"there is no {answers}", where="ANSWERS", remedy="name a folder of answers, or a file")
-    pile = read_answers(answers, book.items, book.keys, between(spec))
+    pile = read_answers(answers, book.items, book.keys, steps_of(spec))
     return mark(book, pile, rules_of(table)), book, spec
 
 
@@ -70,7 +73,7 @@ def own_marks(file: Path, answers: Path) -> tuple[Marked, Keybook]:
         raise UsageError(rule, where=str(file), remedy=f"take it as it was given out; tmmcalc check {file}") from None
     book = Keybook(items, mistakes, (key,))
     try:
-        handed = read_own(answers, items, between(spec))
+        handed = read_own(answers, items, steps_of(spec))
     except UnreadableError as fault:
         raise UsageError(fault.message, where=str(answers), remedy=fault.remedy) from None
     return mark_one(book, key, handed, rules_of(spec.class_)), book
@@ -81,8 +84,18 @@ def rules_of(table: ClassTable) -> Rules:
     return Rules(float(table.for_plans), float(table.for_carried))
 
 
-def between(spec: Spec) -> float:
-    """The angle [deg] between positions, by which a table over angles is read; 0 where they are no equal parts."""
-    grid = spec.mechanism.grid if spec.mechanism is not None else None
-    plain = grid is not None and not (grid.working or grid.span or grid.extra or grid.extremes)
-    return 360.0 / grid.positions if grid is not None and plain else 0.0
+def steps_of(spec: Spec) -> Steps:
+    """Where the positions of a mechanism are, by which a table over angles is read.
+
+    Its steps have to be equal parts of a turn; position 0 is at a known angle where that is written and not drawn.
+    """
+    mechanism = spec.mechanism
+    if mechanism is None:
+        return UNKNOWN
+    grid, motion = mechanism.grid, mechanism.input
+    if grid.working or grid.span or grid.extra or grid.extremes:
+        return UNKNOWN
+    step = math.copysign(360.0 / grid.positions, motion.speed)
+    drawn = spec.class_ is not None and any(_START in each.of for each in spec.class_.drawn)
+    start = math.nan if isinstance(motion.start, str) or drawn else math.degrees(motion.start)
+    return Steps(step, start)

@@ -1,7 +1,7 @@
 """A number as a person writes it, with the figures that stand there.
 
-``1 250,5``, ``1.2e3``, ``1,2·10³`` and ``−0,05 рад/с`` are numbers. A decimal comma is one wherever a single comma
-stands. Figures are counted on the text: as a binary float 0.1667·10⁴ would have 1666 before its point.
+``1 250,5``, ``1.2e3``, ``1,2·10³``, ``−0,05 рад/с`` and ``20° 38′ 15″`` are numbers. A decimal comma is one wherever a
+single comma stands. Figures are counted on the text: as a binary float 0.1667·10⁴ would have 1666 before its point.
 """
 
 from __future__ import annotations
@@ -26,6 +26,9 @@ _NUMBER = re.compile(
     re.DOTALL,
 )
 _UNIT = re.compile(r"[^\W\d_]|[°º%\[(]|1\s*/\s*[^\W\d_]")
+_MINUTES = rf"{_SPACE}*(?P<minutes>\d{{1,2}}(?:[.,]\d+)?){_SPACE}*(?:['\u2018\u2019\u2032\u02b9\u00b4`])"
+_SECONDS = rf"{_SPACE}*(?P<seconds>\d{{1,2}}(?:[.,]\d+)?){_SPACE}*(?:[\"\u201c\u201d\u2033\u02ba]|['\u2019\u2032]{{2}})"
+_SEXAGESIMAL = re.compile(rf"(?P<sign>[+-]?){_SPACE}*(?P<degrees>\d{{1,6}}){_SPACE}*[°º˚]{_MINUTES}(?:{_SECONDS})?")
 
 
 @record
@@ -53,6 +56,8 @@ def read_number(text: str) -> Written:
         raise NoNumberError(Phrase("a formula; write the number"))
     if len(bare) > LONGEST:
         raise NoNumberError(Phrase("a long text"))
+    if (angle := _SEXAGESIMAL.fullmatch(bare)) is not None:
+        return _in_degrees(angle)
     match = _NUMBER.fullmatch(bare)
     if match is None or not (match["whole"] + match["rest"]).strip(".,"):
         raise NoNumberError(Phrase("no number"))
@@ -60,6 +65,21 @@ def read_number(text: str) -> Written:
         several = re.search(r"\d", match["unit"])
         raise NoNumberError(Phrase("more than one number") if several else Phrase("no number"))
     return _made(match)
+
+
+def _in_degrees(match: re.Match[str]) -> Written:
+    """An angle in degrees, minutes and seconds; only the last of them may have decimals.
+
+    Its figures are those of the number of its last part: 20° 38′ is 1238′ and has four.
+    """
+    degrees, minutes, seconds = match["degrees"], match["minutes"].replace(",", "."), match["seconds"]
+    last = (seconds or minutes).replace(",", ".")
+    whole = int(degrees) + Fraction(minutes) / 60 + Fraction(last if seconds else 0) / 3600
+    if max(Fraction(minutes), Fraction(last)) >= 60 or (seconds and "." in minutes):
+        raise NoNumberError(Phrase("more than one number"))
+    step = Fraction(1, (3600 if seconds else 60) * 10 ** len(last.partition(".")[2]))
+    figures = len(str(int(whole / step)).lstrip("0"))
+    return Written(-whole if match["sign"] == "-" else whole, step, figures, "deg")
 
 
 def _made(match: re.Match[str]) -> Written:

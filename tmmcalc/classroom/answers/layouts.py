@@ -19,8 +19,9 @@ from collections.abc import Sequence
 from tmmcalc.classroom.answers.figures import NoNumberError, read_number
 from tmmcalc.classroom.answers.grids import Grid
 from tmmcalc.classroom.answers.limits import UnreadableError
-from tmmcalc.classroom.answers.measures import UnitOfAnswerError, factor_to, is_unit
+from tmmcalc.classroom.answers.measures import UnitOfAnswerError, factor_to, is_none, is_unit
 from tmmcalc.classroom.answers.naming import Names, Place, Roster, folded, parted
+from tmmcalc.classroom.answers.positions import Rows, Steps
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 
@@ -28,10 +29,23 @@ STUDENT = ("student", "name", "variant", "студент", "студентка",
 _ITEM = ("item", "quantity", "result", "величина", "результат", "позначення", "параметр", "symbol")
 _NAME = ("name", "назва", "найменування")  # of an item, where none of these is there; "name" may be the student's too
 _VALUE = ("value", "answer", "значення", "відповідь")
-_UNITS = ("unit", "units", "одиниця", "одиниці", "од. вим.", "одиниця вимірювання", "розмірність")
+_UNITS = (
+    "unit",
+    "units",
+    "одиниця",
+    "одиниці",
+    "од",
+    "од. вим.",
+    "од. виміру",
+    "од. вимірювання",
+    "одиниця виміру",
+    "одиниці виміру",
+    "одиниця вимірювання",
+    "одиниці вимірювання",
+    "розмірність",
+)
 _POSITION = ("position", "положення", "номер положення", "№ положення", "пол.", "i", "n", "no", "№")
 _ANGLE = ("phi", "φ", "φ1", "phi_1", "phi1", "angle", "кут", "кут повороту", "кут φ", "кут повороту кривошипа")
-NEAR = 0.05  # deg, within which the angle of a row is that of a position
 
 
 @record
@@ -57,10 +71,12 @@ class Table:
     entries: tuple[Entry, ...]
     student: str = ""  # of the whole table, as written in it
     unknown: tuple[str, ...] = ()  # names of no item
+    unused: tuple[str, ...] = ()  # heads of columns of which nothing is read
+    lost: tuple[tuple[int, Phrase], ...] = ()  # items without a row of their position, and what was sought
 
 
-def entries_of(grid: Grid, names: Names, roster: Roster, step: float) -> Table:
-    """What stands in a table; ``step`` is the angle [deg] between its positions, 0: not known.
+def entries_of(grid: Grid, names: Names, roster: Roster, steps: Steps) -> Table:
+    """What stands in a table; ``steps`` tell where the positions of the mechanism are.
 
     Raises `UnreadableError` where no item is named in it.
     """
@@ -71,7 +87,7 @@ def entries_of(grid: Grid, names: Names, roster: Roster, step: float) -> Table:
     best, count = _best_header(rows, names)
     over = _over_positions(rows, names)
     if over is not None and over[1] >= count:
-        return _of_positions(rows[over[0] :], rows[: over[0]], names, step)
+        return _of_positions(rows[over[0] :], rows[: over[0]], names, steps)
     in_first = sum(names.headed(row[0])[0] is not None for _, row in rows)
     if in_first > count or (in_first == count == 1 and _is_value(rows[best], names)):
         return _of_items_below(rows, names, roster)
@@ -84,7 +100,12 @@ Row = tuple[int, list[str]]
 
 
 def _is(cell: str, words: Sequence[str]) -> bool:
-    return folded(parted(cell)[0]).strip(":.") in {folded(word).strip(":.") for word in words}
+    return _bare(parted(cell)[0]) in {_bare(word) for word in words}
+
+
+def _bare(text: str) -> str:
+    """A word of a header as it is compared, without the signs about it."""
+    return re.sub(r"[.:()\[\]]", "", folded(text))
 
 
 def _find(row: Sequence[str], words: Sequence[str]) -> int | None:
@@ -110,6 +131,11 @@ def _of_long(rows: Sequence[Row], names: Names, item: int) -> Table:
     student, value, unit = (_find(header, words) for words in (STUDENT, _VALUE, _UNITS))
     if student == item:
         student = None
+    known = {student, value, item, unit}
+    others = [k for k in range(max(len(row) for _, row in rows)) if k not in known and any(_below(rows, k))]
+    if unit is None and (unit := next((k for k in others if _are_units(_below(rows, k))), None)) is not None:
+        others.remove(unit)
+    unused = tuple(head for k in others if (head := _cell(header, k)) and not _is(head, _POSITION))
     head_unit = parted(header[value])[1] if value is not None else ""
     found, unknown, last = [], [], ""
     for number, row in rows[1:]:
@@ -119,9 +145,19 @@ def _of_long(rows: Sequence[Row], names: Names, item: int) -> Table:
         if k is None:
             unknown += [name] * bool(name)
         else:
-            of_row = _cell(row, unit) or name_unit or head_unit
+            of_row = _cell(row, unit) or name_unit or (head_unit if names.has_unit(k, head_unit) else "")
             found.append(Entry(last, k, _cell(row, value), of_row, _row(number)))
-    return Table(tuple(found), unknown=tuple(unknown))
+    return Table(tuple(found), unknown=tuple(unknown), unused=unused)
+
+
+def _below(rows: Sequence[Row], k: int) -> list[str]:
+    """What stands under the header in a column."""
+    return [cell for _, row in rows[1:] if (cell := _cell(row, k))]
+
+
+def _are_units(cells: Sequence[str]) -> bool:
+    """Whether most are units, and one does not say that there is none."""
+    return 2 * sum(map(is_unit, cells)) > len(cells) and any(is_unit(cell) and not is_none(cell) for cell in cells)
 
 
 def _best_header(rows: Sequence[Row], names: Names) -> tuple[int, int]:
@@ -222,42 +258,28 @@ def _over_positions(rows: Sequence[Row], names: Names) -> tuple[int, int] | None
     return None
 
 
-def _of_positions(rows: Sequence[Row], above: Sequence[Row], names: Names, step: float) -> Table:
+def _of_positions(rows: Sequence[Row], above: Sequence[Row], names: Names, steps: Steps) -> Table:
     header = rows[0][1]
     label, angle = _find(header, _POSITION), _find(header, _ANGLE)
     unit = parted(_cell(header, angle))[1] if angle is not None else ""
     below = [row for row in rows[1:] if not all(not cell or is_unit(cell) for cell in row[1])]
     units = next((row[1] for row in rows[1:2] if row not in below), [])
-    angles = [_angle(_cell(row, angle), unit or _cell(units, angle)) for _, row in below]
-    start = next((value for value in angles if not math.isnan(value)), 0.0)
-    found = []
+    table = Rows(
+        tuple(_cell(row, label) for _, row in below),
+        tuple(_angle(_cell(row, angle), unit or _cell(units, angle)) for _, row in below),
+    )
+    found, lost = [], []
     for k, cell in enumerate(header):
         places, of_header = names.column(cell) if cell else (frozenset[Place](), "")
         for place in sorted(places, key=lambda each: each.item):
-            for (number, row), at in zip(below, angles, strict=True):
-                if _is_there(place, _cell(row, label), at, start, step):
-                    text = _cell(row, k)
-                    found.append(Entry("", place.item, text, of_header or _cell(units, k), _row(number)))
-                    break  # a whole turn later is the same position
-    return Table(tuple(found), _said(above))
-
-
-def _is_there(place: Place, label: str, angle: float, start: float, step: float) -> bool:
-    """Whether a row is of a place: its number is that of the position, or its angle is.
-
-    Angles of positions by number are counted from the first row.
-    """
-    if place.label:
-        if label:
-            return label.strip().removesuffix(".").removesuffix(".0") == place.label
-        number = int(place.label.rstrip("'"))
-        return step > 0 and place.label.isdigit() and _apart(angle - start, number * step) <= NEAR
-    return _apart(angle, place.angle) <= NEAR
-
-
-def _apart(angle: float, other: float) -> float:
-    """How far two angles [deg] are apart, whole turns aside; NaN where one is."""
-    return abs((angle - other + 180.0) % 360.0 - 180.0)
+            there = table.of(place, steps)
+            if len(there) == 1:
+                number, row = below[there[0]]
+                found.append(Entry("", place.item, _cell(row, k), of_header or _cell(units, k), _row(number)))
+            else:
+                what = "two rows may be that of {place}" if there else "no row is that of {place}"
+                lost.append((place.item, Phrase(what, place=table.told(place, steps))))
+    return Table(tuple(found), _said(above), lost=tuple(lost))
 
 
 def _angle(text: str, unit: str) -> float:

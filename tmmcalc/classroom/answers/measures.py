@@ -79,6 +79,20 @@ def is_unit(text: str) -> bool:
     return bool(bare) and (bare in _NONE or bare == PERCENT or any(kind_of(each) for each in _spellings(bare)))
 
 
+def is_none(text: str) -> bool:
+    """Whether a text says that there is no unit."""
+    return text.strip().strip("[]()").strip().casefold() in _NONE
+
+
+def fits(written: str, asked: str) -> bool:
+    """Whether a number in the written unit can be told in the asked one."""
+    try:
+        factor_to(written, asked)
+    except UnitOfAnswerError:
+        return False
+    return True
+
+
 def _plain(bare: str) -> float:
     """Of an answer that has no unit: per cent count, other units are a fault, other words say nothing."""
     if bare == PERCENT:

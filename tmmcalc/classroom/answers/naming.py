@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from difflib import get_close_matches
 
+from tmmcalc.classroom.answers.measures import fits
 from tmmcalc.classroom.model import Item, Key
 from tmmcalc.core.records import record
 from tmmcalc.spec.cyrillic import alike
@@ -81,7 +83,15 @@ def folded(text: str) -> str:
 
 
 def _loose(text: str) -> str:
-    return re.sub(r"[\W_]", "", folded(text))
+    """A name without its signs, but for the primes of a derivative or of a position, which make it another.
+
+    >>> _loose("R_1,2"), _loose("s′"), _loose("«s'»")
+    ('r12', "s'", 's')
+    """
+    bare = folded(text)
+    primes = re.search(r"(?<=\w)['\u2019\u2032\u2033]+$", bare)
+    count = len(primes[0].replace("\u2033", "''")) if primes and bare[0] not in "'\u2018\u2019" else 0
+    return re.sub(r"[\W_]", "", bare) + "'" * count
 
 
 @record
@@ -97,18 +107,24 @@ class Names:
     """The items by all their names."""
 
     def __init__(self, items: Sequence[Item]) -> None:
+        self._units = [item.unit for item in items]
+        own = [(name, k) for k, item in enumerate(items) for name in (item.name, *item.also)]
         known = [(name, k) for k, item in enumerate(items) for name in _names(item)]
-        self._strict = _unique((folded(name), k) for name, k in known)
-        self._loose = _unique((_loose(name), k) for name, k in known)
-        self._columns: dict[str, set[Place]] = {}
-        for k, item in enumerate(items):
-            for name in _names(item):
-                for what, place in _placed(name, item, k):
-                    self._columns.setdefault(_loose(what), set()).add(place)
+        self._tiers = [
+            (spelled, _unique((spelled(name), k) for name, k in some))
+            for some in (own, known)
+            for spelled in (folded, _loose)
+        ]
+        self._columns = [
+            (spelled, _columns(some, items, spelled)) for some in (own, known) for spelled in (folded, _loose)
+        ]
 
     def item(self, text: str) -> int | None:
-        """The item that a text names, None: none, or more than one."""
-        return self._strict.get(folded(text), self._loose.get(_loose(text)))
+        """The item that a text names, None: none, or more than one.
+
+        What an item is called goes before the name of its result, which may be what another is called.
+        """
+        return next((tier[name] for spelled, tier in self._tiers if (name := spelled(text)) in tier), None)
 
     def headed(self, text: str) -> tuple[int | None, str]:
         """The item of a header, and the unit that stands behind its name."""
@@ -117,12 +133,22 @@ class Names:
         name, unit = parted(text)
         return self.item(name), unit
 
+    def has_unit(self, item: int, unit: str) -> bool:
+        """Whether a unit that stands over several items may be that of this one."""
+        return fits(unit, self._units[item])
+
     def column(self, text: str) -> tuple[frozenset[Place], str]:
         """The items of a column of a table over positions, and the unit of its header."""
-        if found := self._columns.get(_loose(text)):
-            return frozenset(found), ""
+        if found := self._places(text):
+            return found, ""
         name, unit = parted(text)
-        return frozenset(self._columns.get(_loose(name), ())), unit
+        return self._places(name), unit
+
+    def _places(self, name: str) -> frozenset[Place]:
+        """The items of a column by its name, one a place."""
+        found = next((tier[bare] for spelled, tier in self._columns if (bare := spelled(name)) in tier), ())
+        claims = Counter((place.label, str(place.angle)) for place in found)
+        return frozenset(place for place in found if claims[place.label, str(place.angle)] == 1)
 
 
 def parted(header: str) -> tuple[str, str]:
@@ -142,6 +168,17 @@ def _names(item: Item) -> Iterator[str]:
     bare = item.result.partition(".")[2]
     if bare:
         yield bare
+
+
+def _columns(
+    known: Iterable[tuple[str, int]], items: Sequence[Item], spelled: Callable[[str], str]
+) -> dict[str, set[Place]]:
+    """Items by their names without their places."""
+    found: dict[str, set[Place]] = {}
+    for name, k in known:
+        for what, place in _placed(name, items[k], k):
+            found.setdefault(spelled(what), set()).add(place)
+    return found
 
 
 def _placed(name: str, item: Item, k: int) -> Iterator[tuple[str, Place]]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from tmmcalc.classroom.answers.grids import Grid, grid_of, text_of
@@ -17,6 +18,7 @@ from tmmcalc.classroom.answers.layouts import Entry, Table, entries_of
 from tmmcalc.classroom.answers.limits import BYTES, DEEPEST, FILES, UnreadableError
 from tmmcalc.classroom.answers.naming import DATE, Names, Roster
 from tmmcalc.classroom.answers.pairs import entries_of_toml
+from tmmcalc.classroom.answers.positions import UNKNOWN, Steps
 from tmmcalc.classroom.answers.workbooks import sheets_of_workbook
 from tmmcalc.classroom.model import Item, Key
 from tmmcalc.core.files import NoFileError, read_file
@@ -53,10 +55,10 @@ class _File:
     order: tuple[tuple[int, ...], float, str]
 
 
-def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], step: float = 0.0) -> Pile:
+def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], steps: Steps = UNKNOWN) -> Pile:
     """What stands in a file, or in all files of a folder.
 
-    ``step`` is the angle [deg] between positions, by which a table over angles is read; 0: not known.
+    ``steps`` tell where the positions are, by which a table over angles is read.
     """
     names, roster = Names(items), Roster(keys)
     hand_ins, refused, empty = list[HandIn](), list[Refused](), list[str]()
@@ -65,7 +67,7 @@ def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], step: 
             refused.append(each)
             continue
         try:
-            tables = tables_of(each.path, names, roster, step)
+            tables = tables_of(each.path, names, roster, steps)
             found, faults = _by_student(each.source, tables, items, roster)
         except UnreadableError as fault:
             refused.append(Refused(each.source, fault.message, fault.remedy))
@@ -81,40 +83,40 @@ def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], step: 
     return Pile(tuple(hand_ins), tuple(refused), tuple(empty))
 
 
-def read_own(file: Path, items: Sequence[Item], step: float = 0.0) -> HandIn:
+def read_own(file: Path, items: Sequence[Item], steps: Steps = UNKNOWN) -> HandIn:
     """The answers of the one student whose file it is; raises `UnreadableError`."""
-    tables = tables_of(file, Names(items), Roster(()), step)
+    tables = tables_of(file, Names(items), Roster(()), steps)
     entries = [entry for table in tables for entry in table.entries]
     students = list(dict.fromkeys(entry.student for entry in entries if entry.student))
     if len(students) > 1:
         some = ", ".join(map(show, students[:SHOWN]))
         raise UnreadableError(f"tells of {len(students)} students: {some}", "leave your own answers alone in it")
-    return _with_strange(hand_in(1, _one_line(file.name), entries, items), tables)
+    return _with_strange(hand_in(1, _one_line(file.name), entries, items), tables, items)
 
 
-def tables_of(file: Path, names: Names, roster: Roster, step: float) -> list[Table]:
+def tables_of(file: Path, names: Names, roster: Roster, steps: Steps) -> list[Table]:
     """What the tables of a file tell; raises `UnreadableError` where none tells anything."""
     content = _content(file)
     if content.startswith(_ZIP):
         grids = sheets_of_workbook(content)
         if not grids:
             raise UnreadableError("is an empty workbook", _REMEDY)
-        return _of_sheets(grids, names, roster, step)
+        return _of_sheets(grids, names, roster, steps)
     kind = next((kind for start, kind in _KINDS if content.startswith(start)), None)
     if kind is not None:
         raise UnreadableError(kind, _REMEDY)
     text = text_of(content)
     if file.suffix.lower() == ".toml":
         return [entries_of_toml(text, names, roster)]
-    return [entries_of(grid_of(text), names, roster, step)]
+    return [entries_of(grid_of(text), names, roster, steps)]
 
 
-def _of_sheets(grids: Sequence[Grid], names: Names, roster: Roster, step: float) -> list[Table]:
+def _of_sheets(grids: Sequence[Grid], names: Names, roster: Roster, steps: Steps) -> list[Table]:
     """The sheets that name results; raises the fault of the first where none does."""
     found, faults = list[Table](), list[UnreadableError]()
     for grid in grids:
         try:
-            found.append(entries_of(grid, names, roster, step))
+            found.append(entries_of(grid, names, roster, steps))
         except UnreadableError as fault:
             faults.append(fault)
     if not found:
@@ -196,6 +198,10 @@ def _by_student(
 ) -> tuple[list[HandIn], list[Refused]]:
     """The answers of a file by student; raises `UnreadableError` where it says nowhere whose it is."""
     if not any(table.entries for table in tables):
+        if lost := [f"{items[k].name}: {what}" for table in tables for k, what in table.lost]:
+            more = f"; and {len(lost) - SHOWN} more" if len(lost) > SHOWN else ""
+            message = f"names results over positions, and answers none: {'; '.join(lost[:SHOWN])}{more}"
+            raise UnreadableError(message, "write the number of each position in a column position")
         raise UnreadableError("names results, and no answer to them", "write each answer beside or under its name")
     own = _owner(source, tables, roster) if any(not e.student for table in tables for e in table.entries) else None
     unknown = dict[str, str]()
@@ -214,22 +220,28 @@ def _by_student(
             Refused(source, f"names nobody of the roster, or several: {some}{more}", "write the number of the variant")
         )
     made = [hand_in(number, source, entries, items) for number, entries in found.items()]
-    return [_with_strange(made[0], tables)] if len(made) == 1 else made, faults
+    return [_with_strange(made[0], tables, items)] if len(made) == 1 else made, faults
 
 
-def _with_strange(found: HandIn, tables: Sequence[Table]) -> HandIn:
-    """A hand-in with a remark on the names in its tables that nobody has asked for."""
-    names = [name for table in tables for name in table.unknown]
-    if not names:
-        return found
+def _with_strange(found: HandIn, tables: Sequence[Table], items: Sequence[Item]) -> HandIn:
+    """A hand-in with remarks on what its tables tell that is not read."""
+    unknown = [name for table in tables for name in table.unknown]
+    unused = [head for table in tables for head in table.unused]
+    lost = {k: what for table in tables for k, what in table.lost if not found.answers[k].text}
+    told = [Phrase("{item}: {what}", item=items[k].name, what=what) for k, what in lost.items()]
+    if unknown:
+        told.append(_listed("not asked: {names}", "not asked: {names} and {count} more", unknown))
+    if unused:
+        whole = "columns of which nothing is read: {names}"
+        told.append(_listed(whole, "columns of which nothing is read: {names} and {count} more", unused))
+    return replace(found, remarks=(*found.remarks, *told))
+
+
+def _listed(whole: str, cut: str, names: Sequence[str]) -> Phrase:
+    """A remark with all names, or with the first of many and how many more there are."""
     shown = tuple(map(show, names[:SHOWN]))
     more = len(names) - SHOWN
-    remark = (
-        Phrase("not asked: {names} and {count} more", names=shown, count=more)
-        if more > 0
-        else Phrase("not asked: {names}", names=shown)
-    )
-    return HandIn(found.number, found.source, found.answers, (*found.remarks, remark))
+    return Phrase(cut, names=shown, count=more) if more > 0 else Phrase(whole, names=shown)
 
 
 def _owner(source: str, tables: Sequence[Table], roster: Roster) -> int:
