@@ -39,6 +39,21 @@ def test_the_shaper_has_the_data_of_the_textbook() -> None:
     assert {key: found[key] for key in wanted} == wanted
 
 
+def quantities(name: str) -> dict[str, str]:
+    """The values of the table by what they are."""
+    (table,) = (each for each in written(name) if isinstance(each, Grid) and each.caption.key == "given")
+    return {plain_text(row[0]): plain_text(row[2]) for row in table.rows}
+
+
+def test_a_load_has_its_link_its_point_and_its_direction() -> None:
+    """As the spec has them: the cutting force on the ram at D, along x; the ram's mass in the same pin."""
+    found = quantities("shaper")
+    assert found["where load “Q5” is applied"] == "link 5, point D"
+    assert found["positive direction of load “Q5”, from axis x"] == "0°"
+    assert found["centre of mass of link 5"] == "in point D"
+    assert found["acceleration of gravity, directed against axis y"] == "9.81 m/s²"
+
+
 def test_a_train_is_given_by_its_layout_and_ratio() -> None:
     found = given("gears-pairs")
     assert found["u"] == "6"
