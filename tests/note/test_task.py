@@ -54,6 +54,21 @@ def test_a_load_has_its_link_its_point_and_its_direction() -> None:
     assert found["acceleration of gravity, directed against axis y"] == "9.81 m/s²"
 
 
+@pytest.mark.parametrize(
+    ("name", "drive"),
+    [
+        ("press", "constant driving moment"),
+        ("course-project", "motor, its characteristic by the formula of Kloss"),
+    ],
+)
+def test_a_machine_has_its_drive_and_what_its_rim_is_made_of(name: str, drive: str) -> None:
+    """The rim of cast iron carries nine tenths of the moment of inertia."""
+    found = quantities(name)
+    assert found["drive of the machine"] == drive
+    assert found["material of the rim"] == "cast iron"
+    assert found["share of the rim in the moment of inertia"] == "0.9"
+
+
 def test_a_train_is_given_by_its_layout_and_ratio() -> None:
     found = given("gears-pairs")
     assert found["u"] == "6"
