@@ -70,7 +70,7 @@ def _rim(found: Flywheel, *, proportioned: bool) -> Iterator[Datum]:
     rim = found.wheels[0].rim if found.addition > 0 else None
     if rim is None:
         return
-    yield Datum(tr("material of the rim"), text=tr_name(rim.material.name))
+    yield Datum(tr("what the rim is made of"), text=tr_name(rim.material.name))
     yield Datum(tr("density"), ("rho",), (rim.material.density,), "kg/m^3")
     yield Datum(tr("share of the rim in the moment of inertia"), ("c_J",), (DEFAULT.rim_inertia,))
     yield Datum(tr("share of the rim in the mass"), ("c_m",), (DEFAULT.rim_mass,))
