@@ -65,8 +65,18 @@ def test_a_machine_has_its_drive_and_what_its_rim_is_made_of(name: str, drive: s
     """The rim of cast iron carries nine tenths of the moment of inertia."""
     found = quantities(name)
     assert found["drive of the machine"] == drive
-    assert found["material of the rim"] == "cast iron"
+    assert found["what the rim is made of"] == "cast iron"
     assert found["share of the rim in the moment of inertia"] == "0.9"
+
+
+def test_a_cam_has_the_numbers_of_its_positions_and_the_edges_of_its_guide() -> None:
+    """Twelve steps of the rise have 13 ends, those of the return after the dwell 13 of their own."""
+    found = quantities("assignment-cam")
+    assert found["number of equal steps of each phase of motion"] == "12"
+    assert found["positions of the rise"] == "0 at its beginning to 12 at its end"
+    assert found["positions of the return"] == "13 at its beginning to 25 at its end"
+    assert found["height of the lower edge of the guide above the axis of the cam"] == "S_0 + h + r_2"
+    assert "as the cam turns" in found["where the pressure angle is positive"]
 
 
 def test_a_train_is_given_by_its_layout_and_ratio() -> None:
