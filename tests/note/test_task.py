@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from note.scenes import written
+from note.scenes import CONFIGS, written
 from tmmcalc.note.plaintext import text
 from tmmcalc.note.tree import Equation, Grid, Image, Title, plain_text
+from tmmcalc.pipeline.chapters import task_of
+from tmmcalc.pipeline.runner import run
+from tmmcalc.project import load_spec
+from tmmcalc.report.manuscript import Datum
 
 
 def given(name: str) -> dict[str, str]:
@@ -77,6 +83,29 @@ def test_a_cam_has_the_numbers_of_its_positions_and_the_edges_of_its_guide() -> 
     assert found["positions of the return"] == "13 at its beginning to 25 at its end"
     assert found["height of the lower edge of the guide above the axis of the cam"] == "S_0 + h + r_2"
     assert "as the cam turns" in found["where the pressure angle is positive"]
+
+
+def test_a_pair_has_its_mesh_its_section_and_its_wheels() -> None:
+    found = quantities("assignment-gears")
+    assert found["kind of mesh"] == "external, of two wheels"
+    assert found["module in the normal section"] == "4 mm"
+    assert [found[f"number of teeth of wheel {k}"] for k in (1, 2)] == ["16", "30"]
+    assert [found[f"shift coefficient of wheel {k}"] for k in (1, 2)] == ["0.4", "0.2"]
+    assert found["tips of the teeth"].startswith("shortened")
+
+
+def test_unequal_efficiencies_are_of_the_wheels_that_mesh(tmp_path: Path) -> None:
+    """Not of the members, of which 2 meshes with both: its second wheel is 2'."""
+    words = (CONFIGS / "assignment-train.toml").read_text(encoding="utf-8")
+    spec = tmp_path / "train.toml"
+    spec.write_text(words.replace("second_teeth = 66", "second_teeth = 66\nefficiency = 0.98"), encoding="utf-8")
+    done = run(load_spec(spec), target="gearing")
+    blocks = task_of(done.spec, done.results)
+    found = [block for block in blocks if isinstance(block, Datum) and "efficiency" in block.what]
+    assert [(each.what, each.keys) for each in found] == [
+        ("efficiency of the mesh 1–2", ("eta_{12}",)),
+        ("efficiency of the mesh 2'–3", ("eta_{2'3}",)),
+    ]
 
 
 def test_a_train_is_given_by_its_layout_and_ratio() -> None:
