@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -106,6 +107,23 @@ def test_unequal_efficiencies_are_of_the_wheels_that_mesh(tmp_path: Path) -> Non
         ("efficiency of the mesh 1–2", ("eta_{12}",)),
         ("efficiency of the mesh 2'–3", ("eta_{2'3}",)),
     ]
+
+
+def test_a_load_off_the_pins_has_its_place_and_turns_with_its_link(tmp_path: Path) -> None:
+    """By its distances from A and B, which are 168 mm apart, and its angle with AB."""
+    words = (CONFIGS / "assignment-press.toml").read_text(encoding="utf-8")
+    before, load, after = words.partition('link = 3\npoint = "B"\ndirection = "0 deg"\n')
+    assert load
+    spec = tmp_path / "press.toml"
+    own = 'link = 2\npoint = ["96 mm", "21 mm"]\ndirection = "-90 deg"\naxes = 2\nagainst = 3\n'
+    spec.write_text(before + own + after, encoding="utf-8")
+    done = run(load_spec(spec), target="forces")
+    found = {each.what: each for each in task_of(done.spec, done.results) if isinstance(each, Datum)}
+    assert found["where load “Q3” is applied"].text == "link 2, point Q3"
+    assert found["distance between points A and Q3"].values == pytest.approx([math.hypot(0.096, 0.021)])
+    assert found["distance between points B and Q3"].values == pytest.approx([math.hypot(0.072, 0.021)])
+    assert found["positive direction of load “Q3”, from line AB with which it turns"].values == pytest.approx([-90.0])
+    assert found["link that takes the opposite of load “Q3”"].text == "link 3"
 
 
 def test_a_train_is_given_by_its_layout_and_ratio() -> None:
