@@ -78,3 +78,22 @@ def test_a_class_is_drawn_keyed_and_marked(name: str, tmp_path: Path) -> None:
         text = words_of(sheet)
         assert leaks(text, school, given) == set()
         assert not STRANGE.search(text), "a key or a word of the program in place of what is given"
+
+
+@pytest.mark.parametrize("name", ["gears", "train"])
+def test_where_no_plans_are_drawn_nothing_is_right_by_plans(name: str) -> None:
+    """A centre distance without the shifts is 2.3 % off: no part of its points."""
+    for item in items_of(load_spec(CONFIGS / f"assignment-{name}.toml")):
+        assert item.plans == item.tolerance, item.name
+
+
+def test_planets_of_the_train_can_be_put_in_and_what_follows_from_the_carrier_is_carried_on() -> None:
+    """Any teeth let one pair of planets in; while the ring stands both speeds go as that of the carrier."""
+    file = CONFIGS / "assignment-train.toml"
+    spec, items = load_spec(file), {item.name: item for item in items_of(load_spec(file))}
+    assert spec.gearing is not None
+    assert [member.count for member in spec.gearing.members] == [1]
+    names = [*items]
+    for name in ("omega_2", "omega_2H"):
+        assert [names[k] for k in items[name].after] == ["omega_H"]
+        assert items[name].powers == (1.0,)

@@ -92,6 +92,12 @@ def test_a_number_has_no_unit(unit: str) -> None:
     assert rows[0][1:5] == ("slope", "–", "4", "1 % or 0.01")
 
 
+def test_plain_text_speaks_of_no_figure(folder: Path) -> None:
+    """It has none; a page of the same sheet has both."""
+    assert "figure" not in sheet(folder, 1, "txt").decode().casefold()
+    assert "на рисунку" in sheet(folder, 1, "html").decode()
+
+
 def test_a_pdf_is_whole_pages_of_a4_without_an_empty_one(folder: Path) -> None:
     reader = pytest.importorskip("pypdfium2")
     document = reader.PdfDocument(sheet(folder, 2, "pdf"))

@@ -95,7 +95,7 @@ def test_every_meaning_has_its_translation_in_all_specs(name: str, language: str
             "forces.eq_3_F_F32@2",
             "сила тертя F32 у парі A3: модуль на ланці 3",
         ),
-        ("pair-spur", "pair.1.wheels.0.rho_a", "радіус кривизни профілю на вершині зубця"),
+        ("pair-spur", "pair.1.wheels.0.rho_a", "радіус кривизни профілю на вершині зубця, колесо 1"),
         ("cam-oscillating", "cam_profile.rho_w@3", "радіус кривизни (робочий профіль)"),
         (
             "gears-double-planets",

@@ -38,7 +38,7 @@ class Follower:
     assembly: int = 1  # delta; RK
     sense: int = 1  # sigma: +1 the cam turns clockwise, -1 counter-clockwise
 
-    @derived("R0[m]", "radius of the base circle", symbol="R_0")
+    @derived("R0[m]", "radius of the base circle, with a roller of the pitch curve", symbol="R_0")
     def base(self) -> float:
         """Of the pitch curve, or of the profile under a flat face."""
         if self.kind == "flat":

@@ -39,7 +39,7 @@ SLOPES = (
     Quantity("{coordinate}{order}", "derivative {order} of the displacement by the angle of the cam"),
 )
 ANGLE = Quantity("theta[deg]", "pressure angle")
-PRESSING = Quantity("R[N]", "force of the cam, positive on the inner wall")
+PRESSING = Quantity("R[N]", "force of the cam on the follower, in a groove positive on the inner wall")
 REDUCED = Quantity(
     "kappa_red[1/m]", "reduced curvature of the contact, 1/(rho - r2) + 1/r2", symbol="1/rho_red", source="(5.88)"
 )

@@ -28,6 +28,7 @@ HELD = {  # by a note: of a quantity that has a name, and of others
     "value": ("value of {name}: {note}", "its value: {note}"),
     "limit": ("limit of {name}: {note}", "its limit: {note}"),
 }
+WHEEL = "wheel"  # field of a record that says of which wheel it is
 IN_RADIANS = ("gears", "vibration")  # rooms whose angles are told as they are kept; elsewhere they are in deg
 
 
@@ -76,7 +77,14 @@ def _given_out(of: Any, path: str, places: Mapping[str, object], radians: bool) 
         else:
             word = quantity.name if quantity is not None else name
             for key, part in _records(value):
-                yield from _given_out(part, f"{path}{word}{key}.", own, radians)
+                for fact in _given_out(part, f"{path}{word}{key}.", own, radians):
+                    yield fact._replace(meaning=_of_wheel(fact.meaning, part))
+
+
+def _of_wheel(meaning: str, part: Any) -> str:
+    """A meaning with the name of the wheel that the record is of; itself of other records."""
+    wheel = getattr(part, WHEEL, None)
+    return Phrase("{quantity}, wheel {wheel}", quantity=meaning, wheel=wheel) if isinstance(wheel, str) else meaning
 
 
 def _numbers(values: tuple[Any, ...] | list[Any]) -> bool:

@@ -19,14 +19,15 @@ from tmmcalc.gears.gearingtask import GearingTask, layout_task
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.network.model import FRAME, Body, Mesh, Network
 from tmmcalc.gears.network.speeds import solve_speeds
-from tmmcalc.gears.pictures.memberscheme import view_of
+from tmmcalc.gears.pictures.memberscheme import draw_members, view_of
 from tmmcalc.gears.pictures.motionplans import Drawn, draw_motion, member_pens, member_points
-from tmmcalc.gears.pictures.sideview import WHEELS
+from tmmcalc.gears.pictures.sideview import SHAFT, WHEELS
 from tmmcalc.project import load_spec
 from tmmcalc.project.templates import path
 from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.pens import HATCH, MIDDLE
 from tmmcalc.report.drawing.scales import SERIES, standard_scale
-from tmmcalc.report.drawing.shapes import Area, Drawing
+from tmmcalc.report.drawing.shapes import Area, Drawing, Stroke
 from tmmcalc.report.drawing.wording import corners
 
 # teeth, and w_1/w_out by hand (4.2), (4.19)
@@ -196,6 +197,24 @@ def test_all_is_within_the_rectangle(name: str) -> None:
     boards = drawing.fields
     faults = [fault for board in boards for fault in board.labels.faults]
     assert len(faults) <= (1 if name == "gears-differential" else 0)
+
+
+def test_names_of_a_held_ring_and_of_its_planet_stand_clear() -> None:
+    """On the scheme of a task no shaft, web or hatching goes through the name of the ring 3 or the teeth of 2'."""
+    network = Network((Mesh("1", 22, "2", 47), Mesh("2", 24, "3", 77, 1)), (Body("2", "H"),))
+    speeds = {"1": 300.0, "3": 0.0}
+    found = Moving(GearingTask(network, speeds), solve_speeds(network, speeds), None)
+    drawing = Drawing(150.0, 100.0)
+    draw_members(drawing, Box(5.0, 5.0, 115.0, 80.0), found)
+    strokes = [each for each in drawing.shapes if isinstance(each, Stroke) and each.pen in (SHAFT, MIDDLE, HATCH)]
+    assert {each.pen for each in strokes} == {SHAFT, MIDDLE, HATCH}
+    lines = np.concatenate([np.interp(np.linspace(0, len(z) - 1, 500), np.arange(len(z)), z)
+                            for z in (each.points for each in strokes)])  # fmt: skip
+    for text, clear in (("3", 0.5), ("$z_{2'}$ = 24", 1.0)):  # [mm]
+        (box,) = [corners(words) for words in of_words(drawing) if words.text == text]
+        away = np.maximum(np.abs(lines.real - box.real.mean()) - np.ptp(box.real) / 2,
+                          np.abs(lines.imag - box.imag.mean()) - np.ptp(box.imag) / 2)  # fmt: skip
+        assert away.min() > clear, text
 
 
 def test_the_table_tells_the_speeds() -> None:

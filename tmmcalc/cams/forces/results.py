@@ -154,7 +154,7 @@ class CamForces:
     load: Values = quantity("{load}_c[{force}]", "resultant along the lift; it presses on the cam where negative")
     theta: Values = quantity("theta[rad]", "pressure angle")
     ratio: Values = quantity("mu", "friction in guide or pivot over the force of the cam")
-    contact: Values = quantity("R[N]", "force of the cam, positive on the inner wall")
+    contact: Values = quantity("R[N]", "force of the cam on the follower, in a groove positive on the inner wall")
     protrusion: Values | None = quantity("q[m]", "length of the stem out of the guide")
     lower: Values | None = quantity("N1[N]", "force of the guide's lower edge on the stem", symbol="N_1")
     upper: Values | None = quantity("N2[N]", "force of the guide's upper edge on the stem", symbol="N_2")

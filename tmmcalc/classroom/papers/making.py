@@ -144,11 +144,11 @@ def sheet_bytes(scene: Scene, order: Order) -> bytes:
         blocks = task_of(scene.run.spec, scene.run.results)
         given = given_of(blocks, order.own, order.untold)
         meanings = meanings_of(order.items, scene.run)
-        title = scene.spec.project.title
+        title, form = scene.spec.project.title, Path(order.target).suffix[1:]
         written = Assembler().written(
-            task_sheet(title, named(order.point, order.student), given, order.items, meanings)
+            task_sheet(title, named(order.point, order.student), given, order.items, meanings, drawn=form != "txt")
         )
-    return formed(written, Path(order.target).suffix[1:], title)
+    return formed(written, form, title)
 
 
 def note_bytes(scene: Scene, order: Order) -> bytes:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.model import Item
@@ -72,10 +73,13 @@ def _placed(stage: str, place: Place) -> str:
     return tr("at {what} = {value}", what=f"${place.column}$", value=value)
 
 
-def task_sheet(title: str, who: str, given: Given, items: Sequence[Item], meanings: Sequence[str]) -> list[Chapter]:
-    """The sheet, in the language in force."""
+def task_sheet(
+    title: str, who: str, given: Given, items: Sequence[Item], meanings: Sequence[str], *, drawn: bool = True
+) -> list[Chapter]:
+    """The sheet, in the language in force; what is not ``drawn``, as plain text, has no scheme and speaks of none."""
     said = tr("Task: {title}", title=said_in(title)) if title else tr("Task")
-    return [Chapter("sheet", said, tuple(_blocks(who, given, items, meanings)), number="")]
+    shown = given if drawn else replace(given, scheme=())
+    return [Chapter("sheet", said, tuple(_blocks(who, shown, items, meanings)), number="")]
 
 
 def _blocks(who: str, given: Given, items: Sequence[Item], meanings: Sequence[str]) -> Iterator[Block]:

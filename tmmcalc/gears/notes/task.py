@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 
 from tmmcalc.gears.chosen.motion import Moving, written
 from tmmcalc.gears.gearing import Gearing
+from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.task import PairTask
-from tmmcalc.gears.network.model import INTERNAL, Network
+from tmmcalc.gears.network.model import INTERNAL
 from tmmcalc.gears.network.willis import wheel_names
-from tmmcalc.gears.notes.letters import teeth
+from tmmcalc.gears.notes.letters import joined, teeth
 from tmmcalc.gears.notes.pair import given_quantities
 from tmmcalc.gears.notes.pairs.choice import chosen
 from tmmcalc.gears.notes.pairs.lexicon import told_of
@@ -23,6 +24,11 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Datum, Figure
 
+OF_WHEELS: Mapping[str, Callable[[str], str]] = {  # what is given of a wheel, by its letter
+    "z": lambda wheel: tr("number of teeth of wheel {wheel}", wheel=wheel),
+    "x": lambda wheel: tr("shift coefficient of wheel {wheel}", wheel=wheel),
+    "r_a": lambda wheel: tr("tip radius of wheel {wheel}", wheel=wheel),
+}
 SCHEME = (110.0, 75.0)  # size of the scheme [mm]
 
 
@@ -34,11 +40,28 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from _written(order, order.results["gearing"])
     if "pair" in order.results and order.spec.pair.teeth is not None:
         for found in order.results["pair"].pairs:
-            lexicon = told_of(found).lexicon
-            for name, given in something(given_quantities(found), lexicon):
-                assert isinstance(given.value, float)
-                yield Datum(given.meaning, (name,), (given.value,), given.unit)
-            yield from _choice(found.task)
+            yield from _pair(found)
+
+
+def _pair(found: MeshPair) -> Iterator[Datum]:
+    """A pair by its teeth: its kind of mesh, what is given of it and of which wheel, its tips."""
+    task, lexicon = found.task, told_of(found).lexicon
+    kinds = {
+        "external": tr("external, of two wheels"),
+        "internal": tr("internal, of a wheel in a ring"),
+        "rack": tr("of a wheel with a rack"),
+    }
+    yield Datum(tr("kind of mesh"), text=kinds[task.kind])
+    said = {f"{letter}_{k}": of(wheel) for letter, of in OF_WHEELS.items() for k, wheel in enumerate(task.wheels, 1)}
+    if task.helix:
+        said["m"] = tr("module in the normal section")
+    for name, given in something(given_quantities(found), lexicon):
+        assert isinstance(given.value, float)
+        yield Datum(said.get(name, given.meaning), (name,), (given.value,), given.unit)
+    if task.kind == "external" and task.tips == (None, None):
+        said_of_tips = tr("shortened by $Deltay*m$, which keeps the radial clearance $c^{*}*m$")
+        yield Datum(tr("tips of the teeth"), text=said_of_tips)
+    yield from _choice(task)
 
 
 def _choice(task: PairTask) -> Iterator[Datum]:
@@ -92,15 +115,15 @@ def _written(order: Order, found: Gearing) -> Iterator[Block]:
     if table.friction is not None:
         yield Datum(tr("coefficient of friction of teeth"), ("f",), (float(table.friction),))
     else:
-        yield from _efficiencies(task.network)
+        yield from _efficiencies(moving)
 
 
 def _members(moving: Moving) -> Iterator[Datum]:
     """Wheels with their teeth, which of them mesh, how many links there are of a kind."""
-    network, layout = moving.task.network, None if moving.chosen is None else moving.chosen.sets.scheme
+    network = moving.task.network
     numbers = dict[str, float]()
     meshes = list[str]()
-    for mesh, names in zip(network.meshes, wheel_names(network, layout), strict=True):
+    for mesh, names in zip(network.meshes, _meshes(moving), strict=True):
         numbers |= dict(zip(names, (mesh.first_teeth, mesh.second_teeth), strict=True))
         pair = "–".join(names)
         meshes.append(tr("{mesh} (internal)", mesh=pair) if mesh.sign == INTERNAL else pair)
@@ -113,12 +136,18 @@ def _members(moving: Moving) -> Iterator[Datum]:
             yield Datum(tr("how many links {link} there are", link=body.name), ("K",), (float(body.count),))
 
 
-def _efficiencies(network: Network) -> Iterator[Datum]:
+def _efficiencies(moving: Moving) -> Iterator[Datum]:
     """Of all meshes together if they have the same, else of each."""
-    values = [mesh.efficiency for mesh in network.meshes]
+    values = [mesh.efficiency for mesh in moving.task.network.meshes]
     if len({*values}) == 1:
         yield Datum(tr("efficiency of each mesh"), ("eta",), (values[0],))
         return
-    for mesh in network.meshes:
-        said = tr("efficiency of the mesh {mesh}", mesh=f"{mesh.first}–{mesh.second}")
-        yield Datum(said, (f"eta_{{{mesh.first}{mesh.second}}}",), (mesh.efficiency,))
+    for value, names in zip(values, _meshes(moving), strict=True):
+        said = tr("efficiency of the mesh {mesh}", mesh="–".join(names))
+        yield Datum(said, (f"eta_{{{joined(names)}}}",), (value,))
+
+
+def _meshes(moving: Moving) -> list[tuple[str, str]]:
+    """The wheels of every mesh by their names."""
+    layout = None if moving.chosen is None else moving.chosen.sets.scheme
+    return [(first, second) for first, second in wheel_names(moving.task.network, layout)]

@@ -40,6 +40,7 @@ from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.drawing.signs import hatched
 
 HUB, BEARING = 3.0, (4.6, 0.9)  # half length of a hub; length of a bearing and its distance from the shaft [mm]
+HELD = 3.2  # half length of the ground that holds the end of a shaft [mm]
 MARGIN = 6.0  # of the scheme alone [mm]
 LAYER = 1.5  # from a shaft to the sleeve around it [mm]
 ON_SHAFT, ON_WHEEL, ON_CARRIER = 4, 5, 6
@@ -87,13 +88,15 @@ def _draw(board: Board, scheme: Scheme, part: float) -> None:
     wide = scheme.content.real.min(), scheme.content.real.max()
     for height in sorted({scheme.height(name) for name in layers}):
         board.line([complex(s, height) for s in wide], CENTRES, weight=0.2, level=2)
-    for name, layer in layers.items():
-        _shaft(board, scheme, name, layer, part)
+    ends = {name: _shaft(board, scheme, name, layer) for name, layer in layers.items()}
     for carrier in scheme.arms:
         _carrier(board, scheme, carrier)
     # planets beside the line of centres stand behind those on it
     for wheel in sorted(scheme.wheels, key=lambda each: -abs(scheme.at.axes.get(each.member, 0j).imag)):
         _wheel(board, scheme, wheel)
+    for name, end in ends.items():
+        if end is not None:
+            _name(board, name, end, part)
     _label(board, scheme, part)
 
 
@@ -137,8 +140,15 @@ def _bar(board: Board, s: tuple[float, float], y: tuple[float, float], pen: Pen,
     board.area(corners, pen, fill=fill, level=ON_WHEEL)
 
 
-def _shaft(board: Board, scheme: Scheme, name: str, layer: int, part: float) -> None:
-    """The shaft of a member over all that it has, as a sleeve around those inside."""
+class End(NamedTuple):
+    """Where a shaft ends, for its name."""
+
+    anchors: tuple[complex, ...]
+    side: int  # on which it leaves, to the right 1 or to the left -1; 0: on none
+
+
+def _shaft(board: Board, scheme: Scheme, name: str, layer: int) -> End | None:
+    """The shaft of a member over all that it has, as a sleeve around those inside; None: nothing to name there."""
     stands, axis = scheme.stands(name), scheme.height(name)
     rings = [web_of(scheme, wheel) for wheel in scheme.wheels if wheel.member == name and wheel.ring]
     discs = [wheel for wheel in scheme.wheels if wheel.member == name and not wheel.ring]
@@ -146,7 +156,7 @@ def _shaft(board: Board, scheme: Scheme, name: str, layer: int, part: float) -> 
     if name in scheme.arms:
         ends.append(scheme.place(scheme.arms[name]))
     if not stands or not ends:
-        return
+        return None
     borne = scheme.network.bearer(name) != FRAME
     hub = HUB * board.mu
     low, high = min(ends) - hub, max(ends) + hub
@@ -156,7 +166,7 @@ def _shaft(board: Board, scheme: Scheme, name: str, layer: int, part: float) -> 
         arm = scheme.place(scheme.arms[bearer]) if bearer in scheme.arms else low + hub
         low, high = min(low + hub, arm), max(high - hub, arm)
         board.line([complex(low, axis), complex(high, axis)], AXLE, level=ON_SHAFT)
-        return
+        return None
     free = dict(scheme.through).get(name) or exit_of(scheme, name)
     edges = float(scheme.content.real.min()), float(scheme.content.real.max())
     if free:
@@ -169,17 +179,22 @@ def _shaft(board: Board, scheme: Scheme, name: str, layer: int, part: float) -> 
     if free:
         end = high if free > 0 else low
         if name in scheme.held:
-            half = 3.2 * board.mu
+            half = HELD * board.mu
             hatched(board, complex(end, axis - half), complex(end, axis + half), complex(free))
-        else:
-            at = end - free * 0.3 * EXIT * STEP * scheme.unit
-            _bearing(board, at, axis, radius)
+            return End((complex(end, axis + half), complex(end, axis - half)), free)
+        at = end - free * 0.3 * EXIT * STEP * scheme.unit
+        _bearing(board, at, axis, radius)
+    return End((complex(high if free >= 0 else low, axis + radius),), free)
+
+
+def _name(board: Board, name: str, end: End, part: float) -> None:
+    """The name of a member at the end of its shaft."""
     board.labels.put(
         name,
-        board.paper([complex(high if free >= 0 else low, axis + radius)]),
+        board.paper(end.anchors),
         height=part * 2.4,
         gaps=(1.2, 2.2, 3.6),
-        prefer=complex(free or 1, 1),
+        prefer=complex(end.side or 1, 1),
     )
 
 
@@ -207,6 +222,15 @@ def _carrier(board: Board, scheme: Scheme, name: str) -> None:
         board.line(bent, CARRIER, level=ON_CARRIER)
 
 
+def _beyond(scheme: Scheme, wheel: Wheel) -> float:
+    """How far [m] a name stands off a wheel beside which the web of a ring goes down: on the other side of the web."""
+    if wheel.ring:
+        return 0.0
+    webs = [web_of(scheme, ring) for ring in scheme.wheels if ring.ring and ring.member != FRAME]
+    apart = [max(start - web, web - end) for web in webs for start, end in (scheme.along(wheel),)]
+    return max((each for each in apart if 0 < each < STEP / 2 * scheme.unit), default=0.0)
+
+
 def _label(board: Board, scheme: Scheme, part: float) -> None:
     """Numbers of teeth at the wheels."""
     called = {}
@@ -223,4 +247,6 @@ def _label(board: Board, scheme: Scheme, part: float) -> None:
             anchors = [complex(s, axis) for s in (end, start)]
         text = f"$z_{{{called[wheel.member, wheel.teeth]}}}$ = {wheel.teeth}"
         colour = COLOURS[scheme.span(wheel)[0] % len(COLOURS)]
-        board.labels.put(text, board.paper(anchors), height=part * 2.3, gaps=(1.0, 1.8, 3.0, 4.6), colour=colour)
+        over = _beyond(scheme, wheel) / board.mu
+        gaps = tuple(over + gap for gap in (1.0, 1.8, 3.0, 4.6)[over > 0 :])
+        board.labels.put(text, board.paper(anchors), height=part * 2.3, gaps=gaps, colour=colour)

@@ -8,7 +8,7 @@ from functools import partial
 from itertools import combinations
 
 from tmmcalc.linkage.chain import chain_of
-from tmmcalc.linkage.loading import Body, Loading, Pair
+from tmmcalc.linkage.loading import Body, Load, Loading, Pair
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.notes.group import guide_name, plain_name
 from tmmcalc.linkage.notes.shown import rows_shown
@@ -77,8 +77,7 @@ def _metric(mechanism: Mechanism) -> Iterator[Datum]:
             side, link = joint.links.index(FRAME), joint.other(FRAME)
             said = tr("coordinates of a point of the guide of link {link}", link=link)
             yield _point(said, guide_name(tuple(pins), joint), joint.points[side])
-            turned = joint.directions[side]
-            angle = math.degrees(math.atan2(turned.imag, turned.real))
+            angle = _degrees(joint.directions[side])
             yield Datum(tr("angle of the guide of link {link}", link=link), (f"gamma_{link}",), (angle,), "deg")
     for own in mechanism.links:
         for first, second in _distances([pin for pin in pins if own.id in pin.at]):
@@ -107,14 +106,14 @@ def _loading(order: Order, mechanism: Mechanism, loading: Loading) -> Iterator[D
     for body in loading.bodies:
         if body.mass:
             yield Datum(tr("mass of link {link}", link=body.link), (f"m_{body.link}",), (body.mass,), "kg")
-            yield from _centre(body, [pin for pin in pins if body.link in pin.at])
+            yield from _centre(body, pins)
         if body.inertia:
             said = tr("moment of inertia of link {link} about its centre of mass", link=body.link)
             yield Datum(said, (f"J_{body.link}",), (body.inertia,), "kg*m^2")
-    if loading.gravity:
-        yield Datum(tr("acceleration of gravity"), ("g",), (abs(loading.gravity),), "m/s^2")
+    yield from _gravity(loading.gravity)
     for table, load in zip(order.spec.loads, loading.loads, strict=True):
         yield from _load(table, load.name)
+        yield from _applied(load, find_pins(mechanism))
     rubbing = [pair for pair in loading.pairs if pair.friction]
     yield from _alike(rubbing, "f", [pair.friction for pair in rubbing], "")
     round_ = [pair for pair in rubbing if pair.radius]
@@ -125,14 +124,44 @@ def _loading(order: Order, mechanism: Mechanism, loading: Loading) -> Iterator[D
             yield Datum(tr("length of the slider of link {link}", link=link), (f"l_{link}",), (pair.length,), "m")
 
 
+def _gravity(gravity: complex) -> Iterator[Datum]:
+    """Gravity [m/s^2] and where it points."""
+    if not gravity:
+        return
+    down = abs(gravity.real) < NEAR and gravity.imag < 0
+    said = tr("acceleration of gravity, directed against axis $y$") if down else tr("acceleration of gravity")
+    yield Datum(said, ("g",), (abs(gravity),), "m/s^2")
+    if not down:
+        yield Datum(tr("direction of gravity, from axis $x$"), (), (_degrees(gravity),), "deg")
+
+
+def _degrees(direction: complex) -> float:
+    """The angle [deg] of a vector from axis x."""
+    return math.degrees(math.atan2(direction.imag, direction.real))
+
+
 def _centre(body: Body, pins: Sequence[Pin]) -> Iterator[Datum]:
-    """Where the centre of mass lies: its distances from the first pins of the link."""
-    for pin in pins[:2]:
-        vector = body.center - pin.at[body.link]
-        if abs(vector) < NEAR:
-            return
-        yield _distance(plain_name(pin.name), f"S{body.link}", vector)
-        if len(pins) > 1 and abs((vector / (pins[1].at[body.link] - pins[0].at[body.link])).imag) < NEAR:
+    """Where the centre of mass lies: in a pin, or by its distances from the first pins of the link."""
+    pin = _pin_at(body.link, body.center, pins)
+    if pin is None:
+        yield from _from_pins(body.link, f"S{body.link}", body.center, pins)
+    else:
+        said = tr("centre of mass of link {link}", link=body.link)
+        yield Datum(said, (f"S_{body.link}",), text=tr("in point {point}", point=plain_name(pin.name)))
+
+
+def _pin_at(link: int, at: complex, pins: Sequence[Pin]) -> Pin | None:
+    """The pin that lies at a place of a link, in its axes [m]."""
+    return next((pin for pin in pins if link in pin.at and abs(pin.at[link] - at) < NEAR), None)
+
+
+def _from_pins(link: int, name: str, at: complex, pins: Sequence[Pin]) -> Iterator[Datum]:
+    """The distances of a point of a link from its first pins; from one, where the point lies on their line."""
+    own = [pin for pin in pins if link in pin.at]
+    for pin in own[:2]:
+        vector = at - pin.at[link]
+        yield _distance(plain_name(pin.name), name, vector)
+        if len(own) > 1 and abs((vector / (own[1].at[link] - own[0].at[link])).imag) < NEAR:
             return
 
 
@@ -153,6 +182,41 @@ def _load(table: object, name: str) -> Iterator[Datum]:
     if between is not None:
         said = tr("where load {name} begins and ends, by the angle of the crank from the first position", name=called)
         yield Datum(said, ("phi",), tuple(map(math.degrees, between)), "deg")
+
+
+def _applied(load: Load, points: Sequence[Pin]) -> Iterator[Datum]:
+    """The link and the point on which a load acts, and along what it is positive."""
+    called, pins = tr("“{name}”", name=load.name), [point for point in points if point.joints]
+    link = tr("link {link}", link=load.link)
+    where = tr("where load {name} is applied", name=called)
+    if load.kind == "moment":
+        yield Datum(where, text=link)
+        yield Datum(tr("positive sense of load {name}", name=called), text=tr("counter-clockwise"))
+    else:
+        known = _pin_at(load.link, load.point, points)
+        name = plain_name(load.name if known is None else known.name)
+        yield Datum(where, text=tr("{link}, point {point}", link=link, point=name))
+        if known is None or not known.joints:
+            yield from _from_pins(load.link, name, load.point, pins)
+        yield _direction(load, called, pins)
+    if load.against != FRAME:
+        said = tr("link that takes the opposite of load {name}", name=called)
+        yield Datum(said, text=tr("link {link}", link=load.against))
+
+
+def _direction(load: Load, called: str, pins: Sequence[Pin]) -> Datum:
+    """Along what a force is positive: from axis x, or from the line of the link with which it turns."""
+    own = [pin for pin in pins if load.follows in pin.at]
+    if load.follows == FRAME or len(own) < 2:
+        said = tr("positive direction of load {name}, from axis $x$", name=called)
+        if load.follows != FRAME:
+            said = tr("positive direction of load {name}, from axis $x$ of link {link}", name=called, link=load.follows)
+        return Datum(said, (), (_degrees(load.direction),), "deg")
+    first, second = own[:2]
+    line = f"{plain_name(first.name)}{plain_name(second.name)}"
+    said = tr("positive direction of load {name}, from line {line} with which it turns", name=called, line=line)
+    turned = load.direction / (second.at[load.follows] - first.at[load.follows])
+    return Datum(said, (), (_degrees(turned),), "deg")
 
 
 def _polynomial(coefficients: Sequence[float]) -> str:

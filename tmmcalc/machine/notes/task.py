@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from tmmcalc.machine.flywheel.results import Flywheel
+from tmmcalc.machine.flywheel.rim import DEFAULT
 from tmmcalc.machine.motors.model import RPM
-from tmmcalc.machine.notes.motors import motor_data
+from tmmcalc.machine.notes.motors import driven, motor_data
 from tmmcalc.machine.power import Power
 from tmmcalc.machine.tables.tasks.balance import to_engine, to_rotor
+from tmmcalc.machine.tables.tasks.machine import to_motion
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Datum
 
 
@@ -23,6 +26,8 @@ def blocks(order: Order) -> Iterator[Block]:
         said = tr("further constant moment of inertia of the input link")
         yield Datum(said, ("J_e",), (spec.motion.inertia,), "kg*m^2")
     yield from _turning(order)
+    if {"motion", "flywheel", "transient"} & set(order.results):
+        yield Datum(tr("drive of the machine"), text=_drive(order))
     flywheel = spec.flywheel
     if flywheel is None:
         return
@@ -35,6 +40,42 @@ def blocks(order: Order) -> Iterator[Block]:
     for key, (value, unit, meaning) in words.items():
         if value is not None:
             yield Datum(meaning, (key,), (value,), unit)
+    if flywheel.shaft == "motor":
+        yield Datum(tr("shaft of the flywheel"), text=tr("that of the motor"))
+    if flywheel.ratio is not None:
+        yield Datum(tr("speed of the flywheel over the speed of the input link"), ("u_M",), (flywheel.ratio,))
+    if "flywheel" in order.results:
+        yield from _rim(order.results["flywheel"], proportioned=flywheel.width is None and flywheel.thickness is None)
+
+
+def _drive(order: Order) -> str:
+    """What drives the machine, by which its motion and its flywheel are found."""
+    found = driven(order)
+    if found is None:
+        free = to_motion(order.spec).undriven
+        return tr("nothing but the loads") if free else tr("constant driving moment")
+    return {
+        "parabolic": tr("motor, its characteristic a parabola through the rated and the synchronous point"),
+        "linear": tr("motor, its characteristic a straight line through the rated point and the point without load"),
+        "kloss": tr("motor, its characteristic by the formula of Kloss"),
+        "shunt": tr("direct-current motor with shunt field"),
+        "series": tr("direct-current motor with series field"),
+        "constant": tr("motor with a constant moment"),
+        "table": tr("motor, its characteristic by points"),
+    }[found[0].characteristic]
+
+
+def _rim(found: Flywheel, *, proportioned: bool) -> Iterator[Datum]:
+    """What is taken for a rim that is designed, beyond its sizes."""
+    rim = found.wheels[0].rim if found.addition > 0 else None
+    if rim is None:
+        return
+    yield Datum(tr("what the rim is made of"), text=tr_name(rim.material.name))
+    yield Datum(tr("density"), ("rho",), (rim.material.density,), "kg/m^3")
+    yield Datum(tr("share of the rim in the moment of inertia"), ("c_J",), (DEFAULT.rim_inertia,))
+    yield Datum(tr("share of the rim in the mass"), ("c_m",), (DEFAULT.rim_mass,))
+    if proportioned:
+        yield Datum(tr("ratio of width and thickness"), ("c_b",), (DEFAULT.width_to_thickness,))
 
 
 def _turning(order: Order) -> Iterator[Datum]:
