@@ -31,7 +31,7 @@ EACH = 4  # results of a stage that are asked for
 ROW = "3"
 NAMED = (  # of which a mistake of their own is known
     *("power.P_mean", "power.P_required", "flywheel.J_own", "flywheel.rim_mass", "pair.a_w", "criteria.ratio"),
-    "gearing.omega@planet",
+    *("gearing.omega@planet", "gearing.efficiency"),
     *("kinematics.working_D", "kinematics.vx_B@3", "pair.1.p_t", "pair.1.inv_alpha_t", "cam_profile.r_min"),
 )
 

@@ -87,6 +87,8 @@ def _ratio_facts(result: Gearing) -> Iterator[Fact]:
 
 RATIO = Quantity("i_{first}_{last}", "ratio of the turns of {first} to those of {last}")
 EXACT = Quantity("i_{first}_{last}_exact", "exact ratio of the turns of {first} to those of {last}")
+INVERTED = Quantity("i_inverted", "ratio of the inverted train")
+INVERTED_EXACT = Quantity("i_inverted_exact", "exact ratio of the inverted train")
 MESHES, MEMBERS = Quantity("meshes", "number of meshes"), Quantity("members", "number of members")
 COUNTS = Quantity("counts", "members of this name")
 
