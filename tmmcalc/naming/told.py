@@ -162,7 +162,7 @@ def _absent(stage: str) -> UsageError:
 def listed(stage: str, result: Any) -> Iterator[Told | Extent]:
     """All that a stage tells: its facts, then its columns."""
     yield from _facts(stage, result)
-    table, known = table_of(stage, result), _of_columns(stage, result)
+    table, known = table_of(stage, result), _of_columns(stage, result, facts=True)
     for at, header in enumerate(table.headers if table else ()):
         if table is not None and np.asarray(table.make(at)).dtype.kind in "fi":
             (column, unit), values = named(header), table.column(header)
@@ -170,10 +170,11 @@ def listed(stage: str, result: Any) -> Iterator[Told | Extent]:
             yield Extent(stage, column, unit, least, greatest, len(values), *known(column, unit))
 
 
-def _of_columns(stage: str, result: Any) -> Callable[[str, str], tuple[str, str]]:
+def _of_columns(stage: str, result: Any, *, facts: bool = False) -> Callable[[str, str], tuple[str, str]]:
     """A function of the name and the unit of a column: meaning and symbol, as the result itself or its stage says.
 
-    Else it is what the fact of its name means: that of one row, as of a solution the first.
+    With ``facts`` else what the fact of its name means: that of one row, as of a solution the first. Facts are loaded
+    for it, which a run that asks for values alone does without.
     """
     known = described(stage, column=True)
 
@@ -190,7 +191,7 @@ def _of_columns(stage: str, result: Any) -> Callable[[str, str], tuple[str, str]
     def found(name: str, unit: str) -> tuple[str, str]:
         own = declared().get(name, ("", ""))
         own = own if own[0] else known(name, unit)
-        return own if own[0] else of_facts().get((name, "" if unit == "-" else unit), ("", ""))
+        return own if own[0] or not facts else of_facts().get((name, "" if unit == "-" else unit), ("", ""))
 
     return found
 
