@@ -19,6 +19,7 @@ import pytest
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.pipeline.lock import locked
+from tmmcalc.pipeline.outcome import Watch
 
 from . import toy
 from .toy import CALLS, Spec, go, shown
@@ -71,7 +72,7 @@ def test_a_held_lock_is_told_and_given_up(out: Path) -> None:
         fcntl.flock(other, fcntl.LOCK_EX)
         began = perf_counter()
         with pytest.raises(UsageError, match=r"another process works in this folder, and has not ended within 0\.2 s"):
-            go(Spec(), out, wait=0.2, on_event=lambda event: events.append((event.kind, event.message)))
+            go(Spec(), out, wait=0.2, watch=Watch(event=lambda event: events.append((event.kind, event.message))))
     assert 0.15 < perf_counter() - began < 5
     assert events == [("waiting", "another process works in the output folder; waiting up to 0.2 s")]
 

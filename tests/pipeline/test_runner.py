@@ -14,7 +14,7 @@ import pytest
 
 from tmmcalc.core.errors import AssemblyError, UsageError
 from tmmcalc.pipeline import content
-from tmmcalc.pipeline.outcome import Event
+from tmmcalc.pipeline.outcome import Event, Watch
 
 from . import toy
 from .toy import CALLS, Spec, contents, go, shown
@@ -144,7 +144,7 @@ def test_failing_stage_leaves_earlier_files_valid_and_writes_nothing(tmp_path: P
     before = contents(tmp_path)
     events: list[Event] = []
     with pytest.raises(AssemblyError):
-        go(replace(SPEC, radius=0.3, broken=True), tmp_path, on_event=events.append)
+        go(replace(SPEC, radius=0.3, broken=True), tmp_path, watch=Watch(event=events.append))
     assert [(event.stage, event.kind) for event in events] == [("geometry", "computed")]
     after = contents(tmp_path)
     assert {name for name in after if after[name] != before.get(name)} == {"geometry.toml"}
@@ -244,7 +244,7 @@ def test_run_times_go_to_the_log_alone(tmp_path: Path):
 
 def test_events_come_as_soon_as_a_stage_is_done():
     seen: list[tuple[str, int]] = []
-    result = go(SPEC, on_event=lambda event: seen.append((event.stage, len(CALLS))))
+    result = go(SPEC, watch=Watch(event=lambda event: seen.append((event.stage, len(CALLS)))))
     assert seen == [("geometry", 1), ("path", 2), ("energy", 3)]
     assert all(event.seconds > 0 for event in result.events)
 

@@ -35,6 +35,7 @@ def run(
     an earlier run wrote them.
     """
     from tmmcalc.api.results import Run
+    from tmmcalc.pipeline.outcome import Watch
     from tmmcalc.pipeline.runner import run as _run
     from tmmcalc.project import load_spec
 
@@ -49,7 +50,7 @@ def run(
         columns=columns,
         skip=skip,
         settings=settings,
-        on_event=on_event,
+        watch=None if on_event is None else Watch(event=on_event),
     )
     return Run(**vars(found))
 

@@ -34,6 +34,7 @@ from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
 from tmmcalc.naming.language import parse
 from tmmcalc.naming.scene import Scene
 from tmmcalc.naming.told import Told, one, told
+from tmmcalc.pipeline.outcome import Watch
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project.loader import Variants, read_text
 from tmmcalc.rooms import STAGES
@@ -234,7 +235,7 @@ def solve_whole(task: Task, places: Sequence[Place]) -> list[Row]:
 def _whole(task: Task, variants: Variants, point: int, overrides: Sequence[str]) -> Row:
     at = ["spec"]
     try:
-        result = run(variants.spec(overrides), on_start=at.append, by_name=True)
+        result = run(variants.spec(overrides), watch=Watch(at.append), by_name=True)
         scene = Scene(result.spec, result.results)
         names = [*map(parse, task.patterns)]
         floors = Floors(result.results)

@@ -25,7 +25,7 @@ from tmmcalc.cli.options import (
     Verbose,
     Wait,
 )
-from tmmcalc.cli.output import check_tolerance
+from tmmcalc.cli.output import check_place, check_tolerance
 from tmmcalc.core.errors import UsageError
 
 
@@ -73,6 +73,14 @@ def _fields(
         check_tolerance(tolerance)
     if wait is not None and isnan(wait):
         raise UsageError("nan is no time", where="--wait", remedy="write seconds, such as --wait 10")
+    if depfile is not None:
+        if not store:
+            raise UsageError(
+                "--no-store leaves no files that could depend on the spec",
+                where="--depfile",
+                remedy="leave one of the two flags out",
+            )
+        check_place(depfile, "--depfile")
     return {
         "file": spec,
         "out": out,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import contextmanager
 from dataclasses import field, replace
 from functools import partial
 from pathlib import Path
@@ -12,16 +12,15 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cli.flags import CHOOSE, FORM, FOUND, own_of, signed, taken
 from tmmcalc.cli.found import Target
-from tmmcalc.cli.messages import note_written, put_bytes, say, show_damage, show_event, show_news, tell_end
+from tmmcalc.cli.messages import note_written, put_bytes, tell_end
 from tmmcalc.cli.options import Format, patterns_of
 from tmmcalc.cli.output import Solved, check_place, check_strict, raise_failures, show, title, warnings_of
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.progress import tell
 from tmmcalc.core.records import record
 from tmmcalc.report.document import Document
 
 if TYPE_CHECKING:
-    from tmmcalc.pipeline.outcome import Event, RunResult
+    from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
     from tmmcalc.report.worksheets import Worksheet
 
@@ -67,11 +66,9 @@ class Job:
     @property
     def run(self) -> Callable[[Spec, str | Sequence[str] | None], RunResult]:
         """The pipeline as the flags ask for it, with messages on standard error: ``run(spec, target)``."""
+        from tmmcalc.cli.watching import StageWatch
         from tmmcalc.pipeline.runner import run
 
-        if self.depfile is not None:
-            self._check_depfile(self.depfile)
-        live, on_start, on_event = self._telling()
         return partial(
             run,
             out=self.folder,
@@ -82,10 +79,7 @@ class Job:
             skip=self.skip,
             settings=self.settings,
             tolerance=self.tolerance,
-            on_start=on_start,
-            on_event=on_event,
-            on_end=self._ended,
-            within=self._stopped(live),
+            watch=StageWatch(self.folder, self._ended, quiet=self.quiet, verbose=self.verbose),
             keep_going=self.keep_going,
             wait=self.wait,
         )
@@ -102,27 +96,6 @@ class Job:
             files = result.files if self.book is None else (*result.files, self.book)
             write(self.depfile, files, [self.file, *named_files(spec, self.file.parent)])
         return result
-
-    @contextmanager
-    def _stopped(self, live: AbstractContextManager[object]) -> Iterator[None]:
-        """Tell ``live`` of the run inside the block; if it is interrupted say what is kept."""
-        try:
-            with live:
-                yield
-        except KeyboardInterrupt:
-            if self.folder is not None and self.folder.is_dir():
-                say(f"stopped: finished stages are kept in {self.folder}; the same command loads them", "yellow")
-            raise
-
-    def _telling(self) -> tuple[AbstractContextManager[object], Callable[[str], None], Callable[[Event], None]]:
-        """What tells of a stage that is begun and of one that is done, on a terminal live: within the context."""
-        show_one = show_damage if self.quiet else show_event if self.verbose else show_news
-        if self.quiet or not sys.stderr.isatty():
-            return nullcontext(), lambda stage: tell(0.0, stage), show_one
-        from tmmcalc.cli.progress import Progress
-
-        progress = Progress(show_one)
-        return progress, progress.start, progress.done
 
     def summarised(self, target: str | None) -> tuple[Document, RunResult]:
         """Run the spec; the document of its summaries."""
@@ -166,16 +139,6 @@ class Job:
                 with run.believed():
                     raise
             raise
-
-    def _check_depfile(self, file: Path) -> None:
-        """Refuse what would only come out after the computation."""
-        if not self.store:
-            raise UsageError(
-                "--no-store leaves no files that could depend on the spec",
-                where="--depfile",
-                remedy="leave one of the two flags out",
-            )
-        check_place(file, "--depfile")
 
     def finish(
         self,

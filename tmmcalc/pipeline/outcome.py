@@ -16,6 +16,7 @@ from tmmcalc.core.stored import Record, Table
 
 if TYPE_CHECKING:
     from pathlib import Path
+    from types import TracebackType
 
     from tmmcalc.core.errors import TmmError
 
@@ -29,6 +30,28 @@ class Event:
     kind: Literal["loaded", "computed", "left out", "lost", "damaged", "failed", "waiting", "removed"]
     message: str
     seconds: float = 0.0  # run time of the stage, files included
+
+
+class Watch:
+    """Who is told of a run, which goes on within this context: ``start`` and ``event`` by stage, and its end."""
+
+    def __init__(
+        self,
+        start: Callable[[str], object] = lambda stage: None,
+        event: Callable[[Event], object] = lambda event: None,
+    ) -> None:
+        self.start = start  # of a stage, by its name
+        self.event = event  # as soon as it is known what became of it
+
+    def __enter__(self) -> Watch:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        """Nothing is held."""
+
+    def end(self, spec: Any, result: RunResult) -> RunResult:
+        """What the run of a spec gives in the end, outside of the context."""
+        return result
 
 
 _BREAKS = (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError)

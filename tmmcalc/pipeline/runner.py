@@ -7,7 +7,7 @@ not see the same numbers to the last bit. Without an output folder nothing is ha
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import contextmanager
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
@@ -15,7 +15,7 @@ from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.core.plan import Plan, Step, known_stage, plan
 from tmmcalc.core.stage import Stage, arguments, of_scene
 from tmmcalc.pipeline.accuracy import check_accuracy
-from tmmcalc.pipeline.outcome import Event, Outcome, Results, RunResult, UnfitError, believed
+from tmmcalc.pipeline.outcome import Event, Outcome, Results, RunResult, UnfitError, Watch, believed
 from tmmcalc.pipeline.settling import planned, settled, settling
 from tmmcalc.rooms import STAGES
 
@@ -42,10 +42,7 @@ def run(
     skip: Collection[str] = (),
     settings: Settings | None = None,
     tolerance: float | None = None,
-    on_start: Callable[[str], None] | None = None,
-    on_event: Callable[[Event], None] | None = None,
-    on_end: Callable[[Any, RunResult], RunResult] | None = None,
-    within: AbstractContextManager[object] | None = None,
+    watch: Watch | None = None,
     keep_going: bool = False,
     wait: float | None = None,
     by_name: bool = False,
@@ -60,9 +57,8 @@ def run(
     then the CSV files are written last, and not at all if a name means nothing; nothing is computed if a name is of no
     form that is declared. ``skip``: stages that are left out,
     with all that read them. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``tolerance``
-    is the relative error asked of every stage: one with a choice takes the cheapest method for it. ``on_start`` is
-    called with the name of a stage before it runs, ``on_event`` as soon as it is done, ``on_end`` with the spec and the
-    result, to return what the run gives; it goes on ``within`` a context. ``keep_going``: a stage without
+    is the relative error asked of every stage: one with a choice takes the cheapest method for it. ``watch``
+    is told of every stage and of the end, and the run goes on within it. ``keep_going``: a stage without
     a solution ends only those that read it, and is told in ``failures``. ``wait``: seconds that a folder is waited for
     while another process works in it. ``by_name``: the results are asked by name alone, neither stored nor shown, so
     stages leave out what no name can ask for.
@@ -74,7 +70,8 @@ def run(
     cannot be read or written; AccuracyError for a stage that does not reach ``tolerance`` by its own estimate; and
     what a stage raises, unless it is to keep going. The files of earlier stages stay valid.
     """
-    with within or nullcontext():
+    watch = watch or Watch()
+    with watch:
         first = settling(spec, target, stages, skip)
         asked = scene or plan(spec, target, stages, skip)
         if first is None:
@@ -84,7 +81,7 @@ def run(
 
                 check_columns(columns, [stages[name] for name in asked.running], spec)
         options, forced = _options(settings or {}, stages, tolerance), _forced(fresh, from_stage, stages)
-        work = _Run(spec, stages, options, tolerance, keep_going, on_start, on_event, by_name)
+        work = _Run(spec, stages, options, tolerance, keep_going, watch, by_name)
         archive = work.archive = _archive(out, csv, columns, wait, work.wait)
 
         for reasons in (forced, afresh := dict.fromkeys(stages, "stored files do not fit")):
@@ -110,7 +107,7 @@ def run(
         found = RunResult(
             work.outcomes, work.scene, tuple(work.events), files, work.failures, work.spec, work.told, work.alone
         )
-    return found if on_end is None else on_end(spec, found)
+    return watch.end(spec, found)
 
 
 class Missing(NamedTuple):
@@ -135,8 +132,7 @@ class _Run:
         options: Settings,
         tolerance: float | None,
         keep_going: bool,
-        on_start: Callable[[str], None] | None,
-        on_event: Callable[[Event], None] | None,
+        watch: Watch,
         by_name: bool,
     ) -> None:
         self.spec = spec
@@ -144,8 +140,7 @@ class _Run:
         self.options = options
         self.tolerance = tolerance
         self.keep_going = keep_going
-        self.on_start = on_start
-        self.on_event = on_event
+        self.watch = watch
         self.by_name = by_name
         self.archive: Archive | None = None
         self.scene = Plan(None, ())  # the plan of all that runs
@@ -183,8 +178,7 @@ class _Run:
             stage = own[step.stage]
             if stage.name in self.known or self.leaves_out(step, stage):
                 continue
-            if self.on_start is not None:
-                self.on_start(stage.name)
+            self.watch.start(stage.name)
             began = perf_counter()
             inputs, chosen = stage.inputs(self.spec), self.options[stage.name]
             outcome, reason = None, "not stored"
@@ -248,8 +242,7 @@ class _Run:
         self.events.append(event)
         if self.archive is not None and event.kind not in ("left out", "lost", "waiting"):
             self.archive.log(event)
-        if self.on_event is not None:
-            self.on_event(event)
+        self.watch.event(event)
 
     def leaves_out(self, step: Step, stage: Stage) -> bool:
         """Whether the scene has no such stage, or a result that it reads could not be had; then tell so."""
