@@ -139,6 +139,18 @@ def test_a_variant_is_a_category_with_its_scheme_and_a_question_an_item(
     assert level("a/b") == "a//b"
 
 
+def test_a_question_says_in_which_sense_and_within_what(
+    numerical: list[tuple[str, list[Element]]], calculated: list[Element], school: School
+) -> None:
+    """As the task sheet does: a sign that nobody can know is no question."""
+    rule, parts = "positive counter-clockwise", [f"within {100 * item.tolerance:g} %" for item in school.items]
+    for _, (described, *asked) in numerical:
+        assert rule in text_of(described, "questiontext")
+        assert "counted from 0 on" in text_of(described, "questiontext")
+        assert all(part in text_of(each, "questiontext") for part, each in zip(parts, asked, strict=True))
+    assert all(rule in text_of(each, "questiontext") for each in calculated if each.attrib["type"] == "calculated")
+
+
 def test_what_is_right_is_right_and_nothing_else_is(numerical: list[tuple[str, list[Element]]], school: School) -> None:
     """The first answer that fits is asked, as Moodle does, at values about the right one."""
     for key, (_, questions) in zip(school.book.keys, numerical, strict=True):

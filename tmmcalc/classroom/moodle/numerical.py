@@ -12,7 +12,8 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.moodle import elements
-from tmmcalc.classroom.moodle.scenes import Told, markup, table
+from tmmcalc.classroom.moodle.scenes import Told, markup, senses, table
+from tmmcalc.classroom.papers.tasksheet import tolerance_of, unit_of
 from tmmcalc.core.records import record
 from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.spec.dimensions import UNITS
@@ -41,7 +42,7 @@ def questions_of(book: Keybook, scenes: Sequence[Told], title: str, name: str, r
         number = f"{key.number:02d}"
         path = f"{elements.level(title)}/{tr('Variant {number}', number=number)}"
         yield elements.category(path, key.student, f"{name}-{number}")
-        yield _described(scene, f"{number} {title}", f"{name}-{number}-0")
+        yield _described(scene, book.items, f"{number} {title}", f"{name}-{number}-0")
         for at, (item, meaning) in enumerate(zip(book.items, scene.meanings, strict=True)):
             yield elements.question(
                 "numerical",
@@ -54,20 +55,20 @@ def questions_of(book: Keybook, scenes: Sequence[Told], title: str, name: str, r
             )
 
 
-def _described(scene: Told, name: str, key: str) -> str:
+def _described(scene: Told, items: Sequence[Item], name: str, key: str) -> str:
     """The scheme and the data, before the questions: it asks for nothing."""
     picture = f'<p><img src="@@PLUGINFILE@@/{SCHEME}" alt="{markup(tr("Scheme of the mechanism"))}"></p>'
     text = (picture if scene.scheme else "") + table(scene.own, tr("Data of this variant alone"))
-    text += table(scene.common, tr("Data of all variants"))
+    text += table(scene.common, tr("Data of all variants")) + senses(items)
     files = elements.file(SCHEME, scene.scheme.encode()) if scene.scheme else ""
     return elements.question("description", name, text, files=files, points=0, key=key)
 
 
 def asked_in(item: Item, meaning: str) -> str:
     """The text of a question."""
-    unit = f" [{tr_unit(item.unit)}]" if item.unit else ""
-    digits = tr("{count} significant digits", count=item.digits)
-    return f"<p><b>{markup(item.name)}</b>{markup(unit)}: {markup(meaning)} ({markup(digits)})</p>"
+    unit = f" [{unit_of(item)}]" if unit_of(item) else ""
+    asked = f"{tr('{count} significant digits', count=item.digits)}, {tr('within {part}', part=tolerance_of(item))}"
+    return f"<p><b>{markup(item.name)}</b>{markup(unit)}: {markup(meaning)} ({markup(asked)})</p>"
 
 
 def answers_of(book: Keybook, key: Key, at: int, rules: Rules) -> Iterator[str]:

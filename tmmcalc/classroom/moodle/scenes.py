@@ -10,7 +10,7 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, NamedTuple
 
 from tmmcalc.classroom.papers.making import Order, Scene, make_papers, order_of, traced
-from tmmcalc.classroom.papers.tasksheet import given_of, meanings_of, said_in
+from tmmcalc.classroom.papers.tasksheet import given_of, meanings_of, said_in, senses_of
 from tmmcalc.note.assembled import drawn, inline
 from tmmcalc.note.task import row_of
 from tmmcalc.note.tree import plain_text
@@ -93,6 +93,12 @@ def table(rows: Sequence[Sequence[str]], caption: str, cell: Callable[[str], str
     body = "".join(f"<tr>{''.join(f'<td>{made(each)}</td>' for each in row)}</tr>" for row in rows)
     head = "".join(f"<th>{markup(each)}</th>" for each in (tr("Quantity"), tr("Designation"), tr("Value")))
     return f"<p>{markup(caption)}</p><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def senses(items: Sequence[Item]) -> str:
+    """How positions and senses are counted, as HTML; nothing where the results need no such rule."""
+    told = "".join(f"<li>{markup(each)}</li>" for each in senses_of(items))
+    return f"<ul>{told}</ul>" if told else ""
 
 
 def markup(text: str) -> str:

@@ -120,7 +120,8 @@ def unit_of(item: Item) -> str:
     return "" if item.unit == "-" else tr_unit(item.unit)
 
 
-def _rules(items: Sequence[Item]) -> Iterator[str]:
+def senses_of(items: Sequence[Item]) -> Iterator[str]:
+    """How positions are counted, and in which sense what is asked for is positive."""
     names = [parse(item.result) for item in items]
     of_machine = [name for name in names if STAGES[name.stage].room in MACHINES]
     if any(name.place is not None and not name.place.column for name in of_machine):
@@ -129,6 +130,10 @@ def _rules(items: Sequence[Item]) -> Iterator[str]:
         yield tr("Angles, angular quantities and moments are positive counter-clockwise.")
     if any(name.stage in NAMED for name in names):
         yield tr("Speeds and torques of links are positive in the sense of a positive given speed.")
+
+
+def _rules(items: Sequence[Item]) -> Iterator[str]:
+    yield from senses_of(items)
     yield tr("“Digits” are the significant ones that an answer has; it is right within its tolerance.")
     yield tr("Answers are handed in as a table under the names of the first column, with their units.")
 
