@@ -11,7 +11,7 @@ import pytest
 from classroom.leaking import given_in, leaks, words_of
 from classroom.school import School
 from tmmcalc.batch.executors import solve_here
-from tmmcalc.classroom.grading import graded
+from tmmcalc.classroom.grading import graded, own_marks
 from tmmcalc.classroom.items import items_of
 from tmmcalc.classroom.keybook import write_keybook
 from tmmcalc.classroom.keymaking import make_keys
@@ -97,3 +97,24 @@ def test_planets_of_the_train_can_be_put_in_and_what_follows_from_the_carrier_is
     for name in ("omega_2", "omega_2H"):
         assert [names[k] for k in items[name].after] == ["omega_H"]
         assert items[name].powers == (1.0,)
+
+
+def test_a_table_over_the_angle_of_a_cam_is_read_by_the_variant(tmp_path: Path) -> None:
+    """Each has phases of its own, so a position has another angle in each of them."""
+    folder = tmp_path / "class"
+    book = school_of("cam", folder).book
+    names = ["s", "v", "a"]
+    places = [[item.name for item in book.items].index(name) for name in names]
+    (tmp_path / "answers").mkdir()
+    for key, each in zip(book.keys, sorted((folder / "variants").iterdir()), strict=True):
+        cam = load_spec(each).cam
+        assert cam is not None
+        lines = ["φ, град;s, мм;v, м/с;a, м/с²"]
+        for row in range(13):  # the asked values in the rows of their positions, 0 elsewhere
+            cells = [key.values[k] if row == at else 0.0 for k, at in zip(places, (4, 4, 2), strict=True)]
+            lines.append(";".join(f"{value:.5g}" for value in (math.degrees(cam.rise) * row / 12, *cells)))
+        (tmp_path / "answers" / f"{key.number}.csv").write_text("\n".join(lines), encoding="utf-8")
+    marks, *_ = graded(folder, tmp_path / "answers", None)
+    assert [[marked.standings[k] for k in places] for marked in marks.marked] == [[Standing.right] * 3] * VARIANTS
+    own, _ = own_marks(folder / "variants" / "02.toml", tmp_path / "answers" / "2.csv")
+    assert [own.standings[k] for k in places] == [Standing.right] * 3

@@ -3,22 +3,31 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.answers.limits import UnreadableError
 from tmmcalc.classroom.answers.positions import UNKNOWN, Steps
-from tmmcalc.classroom.answers.reading import read_answers, read_own
+from tmmcalc.classroom.answers.reading import AngleOf, nowhere, read_answers, read_own
 from tmmcalc.classroom.items import asked_now, class_of, items_of
 from tmmcalc.classroom.keybook import FILE as KEYS
 from tmmcalc.classroom.keybook import read_keybook
 from tmmcalc.classroom.keying import key_of, mistakes_of
 from tmmcalc.classroom.marking import Marked, Marks, Rules, mark, mark_one
-from tmmcalc.classroom.model import Keybook
-from tmmcalc.classroom.state import digest_of, read_class
+from tmmcalc.classroom.model import Item, Keybook
+from tmmcalc.classroom.neighbours import MACHINES
+from tmmcalc.classroom.state import Class, digest_of, read_class
 from tmmcalc.core.errors import TmmError, UsageError
-from tmmcalc.project.loader import load_spec
+from tmmcalc.core.stage import STAGES
+from tmmcalc.naming.language import parse
+from tmmcalc.naming.scene import Scene
+from tmmcalc.naming.told import one
+from tmmcalc.pipeline.runner import run
+from tmmcalc.project.loader import Variants, load_spec, read_text
+from tmmcalc.spec.units import conversion
 
 if TYPE_CHECKING:
     from tmmcalc.classroom.tables.class_ import ClassTable
@@ -44,7 +53,8 @@ def graded(place: Path, answers: Path, keys: Path | None = None) -> tuple[Marks,
     book = replace(book, items=asked_now(spec, book.items))
     if not answers.exists():
         raise UsageError(f"there is no {answers}", where="ANSWERS", remedy="name a folder of answers, or a file")
-    pile = read_answers(answers, book.items, book.keys, steps_of(spec))
+    angle_of = nowhere if own is None else angles_in(_specs(own, file), book.items)
+    pile = read_answers(answers, book.items, book.keys, steps_of(spec), angle_of)
     return mark(book, pile, rules_of(table)), book, spec
 
 
@@ -73,10 +83,39 @@ def own_marks(file: Path, answers: Path) -> tuple[Marked, Keybook]:
         raise UsageError(rule, where=str(file), remedy=f"take it as it was given out; tmmcalc check {file}") from None
     book = Keybook(items, mistakes, (key,))
     try:
-        handed = read_own(answers, items, steps_of(spec))
+        handed = read_own(answers, items, steps_of(spec), angles_in(lambda number: spec, items))
     except UnreadableError as fault:
         raise UsageError(fault.message, where=str(answers), remedy=fault.remedy) from None
     return mark_one(book, key, handed, rules_of(spec.class_)), book
+
+
+def _specs(own: Class, file: Path) -> Callable[[int], Spec]:
+    """The specs of variants by their numbers."""
+    variants = Variants(read_text(file), str(file), file.parent)
+    assignments = {each.number: each.assignments for each in own.variants}
+    return lambda number: variants.spec(assignments[number])
+
+
+def angles_in(spec_of: Callable[[int], Spec], items: Sequence[Item]) -> AngleOf:
+    """Where positions are whose angle each variant has its own of, as those of a cam; a variant is run when asked."""
+
+    @cache
+    def scene(number: int, stage: str) -> Scene:
+        found = run(spec_of(number), target=stage, by_name=True)
+        return Scene(found.spec, found.results)
+
+    def angle(number: int, item: int) -> float:
+        name = parse(items[item].result)
+        if name.place is None or name.place.column or STAGES[name.stage].room in MACHINES:
+            return math.nan
+        try:
+            there = scene(number, name.stage)
+            found = one(name._replace(what="phi"), there.results, there)
+            return found.value * conversion(found.unit, "deg")
+        except (TmmError, KeyError):  # it has no such column, or its rows are no positions
+            return math.nan
+
+    return angle
 
 
 def rules_of(table: ClassTable) -> Rules:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tmmcalc.naming.language import parse
 
+MACHINES = ("linkage", "machine")  # rooms whose positions are those of the input link, and senses those of the plane
 NAMED = ("gearing",)  # stages whose rows are members, called 1 and 2 it may be
 
 

@@ -65,6 +65,21 @@ def _row(number: int) -> Phrase:
 
 
 @record
+class Lost:
+    """A column over positions of which no row, or more than one, is that of its item by what all variants share."""
+
+    item: int
+    what: Phrase  # was sought
+    rows: Rows
+    entries: tuple[Entry, ...]  # of each row
+
+    def at(self, angle: float) -> Entry | None:
+        """What stands at the angle [deg] that the position has in a variant."""
+        k = self.rows.at(angle)
+        return None if k is None else self.entries[k]
+
+
+@record
 class Table:
     """What a table tells."""
 
@@ -72,7 +87,7 @@ class Table:
     student: str = ""  # of the whole table, as written in it
     unknown: tuple[str, ...] = ()  # names of no item
     unused: tuple[str, ...] = ()  # heads of columns of which nothing is read
-    lost: tuple[tuple[int, Phrase], ...] = ()  # items without a row of their position, and what was sought
+    lost: tuple[Lost, ...] = ()
 
 
 def entries_of(grid: Grid, names: Names, roster: Roster, steps: Steps) -> Table:
@@ -261,24 +276,25 @@ def _over_positions(rows: Sequence[Row], names: Names) -> tuple[int, int] | None
 def _of_positions(rows: Sequence[Row], above: Sequence[Row], names: Names, steps: Steps) -> Table:
     header = rows[0][1]
     label, angle = _find(header, _POSITION), _find(header, _ANGLE)
-    unit = parted(_cell(header, angle))[1] if angle is not None else ""
+    of_angle = parted(_cell(header, angle))[1] if angle is not None else ""
     below = [row for row in rows[1:] if not all(not cell or is_unit(cell) for cell in row[1])]
     units = next((row[1] for row in rows[1:2] if row not in below), [])
     table = Rows(
         tuple(_cell(row, label) for _, row in below),
-        tuple(_angle(_cell(row, angle), unit or _cell(units, angle)) for _, row in below),
+        tuple(_angle(_cell(row, angle), of_angle or _cell(units, angle)) for _, row in below),
     )
     found, lost = [], []
     for k, cell in enumerate(header):
         places, of_header = names.column(cell) if cell else (frozenset[Place](), "")
         for place in sorted(places, key=lambda each: each.item):
+            unit = of_header or _cell(units, k)
+            entries = tuple(Entry("", place.item, _cell(row, k), unit, _row(number)) for number, row in below)
             there = table.of(place, steps)
             if len(there) == 1:
-                number, row = below[there[0]]
-                found.append(Entry("", place.item, _cell(row, k), of_header or _cell(units, k), _row(number)))
+                found.append(entries[there[0]])
             else:
                 what = "two rows may be that of {place}" if there else "no row is that of {place}"
-                lost.append((place.item, Phrase(what, place=table.told(place, steps))))
+                lost.append(Lost(place.item, Phrase(what, place=table.told(place, steps)), table, entries))
     return Table(tuple(found), _said(above), lost=tuple(lost))
 
 

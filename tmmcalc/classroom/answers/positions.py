@@ -7,6 +7,7 @@ counts.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 
 from tmmcalc.classroom.answers.naming import Place
@@ -47,11 +48,12 @@ class Rows:
             angle if not (place.label and label) else math.nan
             for label, angle in zip(self.labels, self.angles, strict=True)
         ]
-        found = [
-            next((k for k, angle in enumerate(open_) if _apart(angle, sought) <= NEAR), None)
-            for sought in self._sought(place, steps)
-        ]
+        found = [_first(open_, sought) for sought in self._sought(place, steps)]
         return tuple(dict.fromkeys(k for k in found if k is not None))
+
+    def at(self, angle: float) -> int | None:
+        """The first row at an angle [deg]; None where there is none, and of NaN."""
+        return _first(self.angles, angle)
 
     def told(self, place: Place, steps: Steps) -> Phrase:
         """What is sought for a place, in words."""
@@ -94,6 +96,10 @@ class Rows:
         away = [((angle - first) % 360.0) / step for angle in self.angles if not math.isnan(angle)]
         count = round(360.0 / step)
         return len({round(k) % count for k in away if abs(k - round(k)) * step <= NEAR}) == count
+
+
+def _first(angles: Sequence[float], sought: float) -> int | None:
+    return next((k for k, angle in enumerate(angles) if _apart(angle, sought) <= NEAR), None)
 
 
 def _apart(angle: float, other: float) -> float:

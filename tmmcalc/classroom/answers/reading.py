@@ -6,9 +6,10 @@ one folder the one that was written later.
 
 from __future__ import annotations
 
+import math
 import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -48,6 +49,14 @@ _REMEDY = "hand in a table as CSV, xlsx or TOML"
 _UNSEEN = ("__macosx", "thumbs.db", "desktop.ini")
 
 
+AngleOf = Callable[[int, int], float]  # of the position of an item in a variant [deg]; NaN: not known
+
+
+def nowhere(number: int, item: int) -> float:
+    """The angle of a position of which nothing is known."""
+    return math.nan
+
+
 @record
 class _File:
     path: Path
@@ -55,10 +64,13 @@ class _File:
     order: tuple[tuple[int, ...], float, str]
 
 
-def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], steps: Steps = UNKNOWN) -> Pile:
+def read_answers(
+    place: Path, items: Sequence[Item], keys: Sequence[Key], steps: Steps = UNKNOWN, angle_of: AngleOf = nowhere
+) -> Pile:
     """What stands in a file, or in all files of a folder.
 
-    ``steps`` tell where the positions are, by which a table over angles is read.
+    ``steps`` tell where the positions are, by which a table over angles is read; where they differ by variant,
+    ``angle_of(number, item)`` does [deg], NaN: not known.
     """
     names, roster = Names(items), Roster(keys)
     hand_ins, refused, empty = list[HandIn](), list[Refused](), list[str]()
@@ -68,7 +80,7 @@ def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], steps:
             continue
         try:
             tables = tables_of(each.path, names, roster, steps)
-            found, faults = _by_student(each.source, tables, items, roster)
+            found, faults = _by_student(each.source, tables, items, roster, angle_of)
         except UnreadableError as fault:
             refused.append(Refused(each.source, fault.message, fault.remedy))
             continue
@@ -83,10 +95,10 @@ def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], steps:
     return Pile(tuple(hand_ins), tuple(refused), tuple(empty))
 
 
-def read_own(file: Path, items: Sequence[Item], steps: Steps = UNKNOWN) -> HandIn:
+def read_own(file: Path, items: Sequence[Item], steps: Steps = UNKNOWN, angle_of: AngleOf = nowhere) -> HandIn:
     """The answers of the one student whose file it is; raises `UnreadableError`."""
     tables = tables_of(file, Names(items), Roster(()), steps)
-    entries = [entry for table in tables for entry in table.entries]
+    entries = _entries(tables, 1, angle_of)
     students = list(dict.fromkeys(entry.student for entry in entries if entry.student))
     if len(students) > 1:
         some = ", ".join(map(show, students[:SHOWN]))
@@ -194,19 +206,23 @@ def _turn(folder: str) -> tuple[int, ...]:
 
 
 def _by_student(
-    source: str, tables: Sequence[Table], items: Sequence[Item], roster: Roster
+    source: str, tables: Sequence[Table], items: Sequence[Item], roster: Roster, angle_of: AngleOf
 ) -> tuple[list[HandIn], list[Refused]]:
     """The answers of a file by student; raises `UnreadableError` where it says nowhere whose it is."""
-    if not any(table.entries for table in tables):
-        if lost := [f"{items[k].name}: {what}" for table in tables for k, what in table.lost]:
-            more = f"; and {len(lost) - SHOWN} more" if len(lost) > SHOWN else ""
-            message = f"names results over positions, and answers none: {'; '.join(lost[:SHOWN])}{more}"
-            raise UnreadableError(message, "write the number of each position in a column position")
+    lost = [each for table in tables for each in table.lost]
+    if not lost and not any(table.entries for table in tables):
         raise UnreadableError("names results, and no answer to them", "write each answer beside or under its name")
-    own = _owner(source, tables, roster) if any(not e.student for table in tables for e in table.entries) else None
+    unnamed = any(not entry.student for table in tables for entry in table.entries)
+    own = _owner(source, tables, roster) if lost or unnamed else None
+    entries = _entries(tables, own, angle_of)
+    if not entries:
+        told = [f"{items[each.item].name}: {each.what}" for each in lost]
+        more = f"; and {len(told) - SHOWN} more" if len(told) > SHOWN else ""
+        message = f"names results over positions, and answers none: {'; '.join(told[:SHOWN])}{more}"
+        raise UnreadableError(message, "write the number of each position in a column position")
     unknown = dict[str, str]()
     found = dict[int, list[Entry]]()
-    for entry in (entry for table in tables for entry in table.entries):
+    for entry in entries:
         number = roster.student(entry.student) if entry.student else own
         if number is None:
             unknown.setdefault(entry.student, entry.where)
@@ -223,11 +239,18 @@ def _by_student(
     return [_with_strange(made[0], tables, items)] if len(made) == 1 else made, faults
 
 
+def _entries(tables: Sequence[Table], own: int | None, angle_of: AngleOf) -> list[Entry]:
+    """All answers of tables; those over angles too that only the variant of their student tells."""
+    found = [entry for table in tables for entry in table.entries]
+    there = (each.at(angle_of(own, each.item)) for table in tables for each in table.lost if own is not None)
+    return [*found, *(entry for entry in there if entry is not None)]
+
+
 def _with_strange(found: HandIn, tables: Sequence[Table], items: Sequence[Item]) -> HandIn:
     """A hand-in with remarks on what its tables tell that is not read."""
     unknown = [name for table in tables for name in table.unknown]
     unused = [head for table in tables for head in table.unused]
-    lost = {k: what for table in tables for k, what in table.lost if not found.answers[k].text}
+    lost = {each.item: each.what for table in tables for each in table.lost if not found.answers[each.item].text}
     told = [Phrase("{item}: {what}", item=items[k].name, what=what) for k, what in lost.items()]
     if unknown:
         told.append(_listed("not asked: {names}", "not asked: {names} and {count} more", unknown))

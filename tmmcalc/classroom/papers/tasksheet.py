@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.model import Item
-from tmmcalc.classroom.neighbours import NAMED
+from tmmcalc.classroom.neighbours import MACHINES, NAMED
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.language import Place, parse
@@ -21,7 +21,6 @@ from tmmcalc.report.numbers import number
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
-MACHINES = ("linkage", "machine")  # rooms whose senses are those of the plane
 BLANK = "\u00a0" * 36  # room for an answer
 Mark = tuple[str, tuple[str, ...]]  # what a datum is, and how it is called
 Own = frozenset[Mark]
