@@ -40,6 +40,7 @@ def test_mistakes_that_cannot_be_seen_are_named_with_what_to_do() -> None:
         "result",
     )
     assert document.facts[0].text == "1: number 1, Ada"
+    assert keys_document(BOOK, "keys", 40).facts[0].text == "1 of 40: number 1, Ada"
 
 
 def test_nothing_is_said_where_all_can_be_seen() -> None:

@@ -13,14 +13,17 @@ from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.language import tr_name
 
 
-def keys_document(book: Keybook, title: str) -> Document:
-    """The document of some variants: asked results with what counts as right, which they are, then the mistakes."""
+def keys_document(book: Keybook, title: str, of: int = 0) -> Document:
+    """The document of some variants: asked results with what counts as right, which they are, then the mistakes.
+
+    ``of`` are all that there are, if they are more.
+    """
     names = View(("name", "result"), [[each.name for each in book.items], [each.result for each in book.items]])
     mistakes = Document("mistakes", table=_mistakes(book), wide=True, more="keys.toml and --format json have all")
     return Document(
         title,
         (
-            Fact("variants", _variants(book), {"variants": len(book.keys)}),
+            Fact("variants", _variants(book, of), {"variants": len(book.keys)}),
             Fact("asked results", str(len(book.items)), {"items": len(book.items)}),
             Fact("known mistakes", str(len(book.mistakes)), {"mistakes": len(book.mistakes)}),
             _right_too(book),
@@ -30,11 +33,12 @@ def keys_document(book: Keybook, title: str) -> Document:
     )
 
 
-def _variants(book: Keybook) -> str:
-    """How many there are; of one its number and its student."""
+def _variants(book: Keybook, of: int) -> str:
+    """How many are shown, and of how many; of one its number and its student."""
+    shown = str(len(book.keys)) if of <= len(book.keys) else f"{len(book.keys)} of {of}"
     if len(book.keys) != 1:
-        return str(len(book.keys))
-    return f"1: number {book.keys[0].number}{f', {book.keys[0].student}' if book.keys[0].student else ''}"
+        return shown
+    return f"{shown}: number {book.keys[0].number}{f', {book.keys[0].student}' if book.keys[0].student else ''}"
 
 
 def _right(book: Keybook) -> View:

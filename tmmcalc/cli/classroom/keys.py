@@ -129,7 +129,7 @@ def command(
     chosen = numbers or ([key.number for key in book.keys[:SHOWN]] if form is Format.table else None)
     shown = book if chosen is None else of_variants(book, chosen)
     file = own.file(folder)
-    show(keys_document(shown, title(scene, file, "keys")), form)
+    show(keys_document(shown, title(scene, file, "keys"), len(book.keys)), form)
     if not quiet:
         for written in files:
             note_written(written)
