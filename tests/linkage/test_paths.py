@@ -318,7 +318,7 @@ HEAD = LINE.read_text(encoding="utf-8").partition("[[paths]]")[0]
     ("lines", "path", "said"),
     [
         ('point = "P"\nthrough = [[0, 0]]\nat = [0, 1]', "paths[0].at", "2 input coordinates, points: 1"),
-        ('point = "Q"\nthrough = [[0, 0]]', "paths[0].point", "no link has a point 'Q'"),
+        ('point = "Q"\nthrough = [[0, 0]]', "paths[0].point", "there is no point 'Q'"),
         ('point = "C"\nthrough = [[0, 0]]', "paths[0].point", "'C' is a point of the frame and does not move"),
         ('point = "P"\nthrough = [[0, 0]]\nat = ["3 mm"]', "paths[0].at[0]", "so an angle is needed"),
         ('point = "P"\nthrough = [[0, 0]]\nat = [20]', "paths[0].at[0]", "radians, more than a full turn"),

@@ -404,7 +404,7 @@ CROSS_FAULTS = [
         'point = "D"\n',
         'point = "F"\n',
         "mechanism.outputs[0].point",
-        "no link has a point 'F'",
+        "there is no point 'F'",
         "the points are: A, B, C, D",
     ),
     (
@@ -518,7 +518,7 @@ ASSEMBLY_FAULTS = [
     (
         "sketch = { F = [0, 0] }",
         "mechanism.assembly.sketch.F",
-        "no link has a point 'F'",
+        "there is no point 'F'",
         "the points are: A",
     ),
     ('at = "1 mm"', "mechanism.assembly.at", "'1 mm' is a length", "30 deg"),

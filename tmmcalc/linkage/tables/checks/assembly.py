@@ -24,7 +24,7 @@ def check_sketch(outline: Outline) -> Iterator[Finding]:
             guess = did_you_mean(name, linkage.names)
             yield Finding(
                 ("mechanism", "assembly", "sketch", name),
-                f"no link has a point {show(name)}",
+                f"there is no point {show(name)}",
                 f"{guess} the points are: {listing(linkage.names)}".strip(),
             )
 

@@ -69,7 +69,7 @@ def check_moving(outline: Outline, name: str, path: Path) -> Iterator[Finding]:
         guess = did_you_mean(name, moving)
         yield Finding(
             path,
-            f"no link has a point {show(name)}{hint}",
+            f"there is no point {show(name)}{hint}",
             f"{guess} the points are: {listing(moving)}".strip(),
         )
     elif name in (linkage.points[FRAME] or ()) and (name not in moving or _is_pinned(outline, name)):
