@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 import os
 import re
 import resource
@@ -30,6 +31,7 @@ MEMORY_SAID = "more memory than there is"
 SAID = re.compile(r"still at it after")
 OF_RESULTS = re.compile(r"^error: constraints, (?!.*this scene has no )", re.MULTILINE)
 OF_FOUND = re.compile(r"\[\d+\]\.\w+: there is no (link|point|joint) ")  # of a linkage that a synthesis finds
+POWERS = re.compile(r"\d[\d.]*[eE]\+?\d+(?![.\w])")
 UNREAL = re.compile(r"(?<![\w./\"'-])[-+]?(nan|inf|infinity)(?![\w./\"'(])", re.IGNORECASE)
 
 
@@ -70,10 +72,11 @@ def judge(case: Case, folder: Path) -> Verdict:
         verdict.faults.append((f"exit code {verdict.code}", verdict.err[-500:]))
     # whether a table has a column is known when it is computed, and so is what a constraint on a result can name,
     # and which links and points a linkage has that is still sought
-    known_late = "--columns" in case.args or OF_RESULTS.search(verdict.err)
+    known_late = OF_RESULTS.search(verdict.err)
     sought = {file.stem for file in fresh} <= {".lock", "run", "synthesis"} and OF_FOUND.search(verdict.err)
     known_late = known_late or ("[synthesis" in case.text and sought)
-    if verdict.code == 2 and fresh and (not known_late or any("feasibility" in file.name for file in fresh)):
+    known_late = known_late and not any("feasibility" in file.name for file in fresh)
+    if verdict.code == 2 and fresh and not known_late and "--columns" not in case.args:
         verdict.faults.append(("files on exit 2", ", ".join(file.name for file in fresh)))
     texts = {file.name: file.read_text("utf-8", "replace") for file in fresh if file.suffix in {".csv", ".toml"}}
     for name, text in {**texts, "stdout": verdict.out, "stderr": verdict.err}.items():
@@ -85,8 +88,10 @@ def judge(case: Case, folder: Path) -> Verdict:
 
 
 def _quoted(text: str, case: Case) -> str:
-    """Messages quote what was given, which may be ``nan`` itself."""
-    return "" if UNREAL.search(case.text) or any(UNREAL.search(word) for word in case.args) else text
+    """Messages quote what was given, which may be ``nan`` itself, or a number beyond all that there are."""
+    given = (case.text, *case.args)
+    beyond = any(math.isinf(float(each)) for words in given for each in POWERS.findall(words))
+    return "" if beyond or any(map(UNREAL.search, given)) else text
 
 
 def _run(args: tuple[str, ...], folder: Path) -> Verdict:

@@ -24,6 +24,7 @@ FUNCTIONS = ("-kappa", "kappa", "-A/R", "A/R", "-1/R", "-1/M_E^2", "-(1 - kappa 
 SIGNS = np.array([[-1.0], [1.0]])  # of the two rows of a least and a largest value
 LEAST_SHARE = 0.25  # of the functions: what all of them read takes as much room
 CACHED = 48_000  # values of a function at a time: more would not stay in the cache
+NEXT_TO_NONE = 1e-9  # strokes: the lever of a contact at the axis, so that its forces stay finite
 
 
 class Extremes(NamedTuple):
@@ -95,7 +96,8 @@ def _block(scene: Scene, start: Values, roller: Values, top: Values, wanted: Mas
     useful = np.stack((start, np.ones_like(start), -reach, 2 * inverse), axis=1) @ scene.rows.useful
     works = room & (np.min(useful, axis=1) > 0)
     if not works.all():  # forces as without friction, so that they stay finite
-        useful = np.where(useful > 0, useful, np.abs(start[:, None] + scene.motion[0]))
+        free = np.maximum(np.abs(start[:, None] + scene.motion[0]), NEXT_TO_NONE * scene.stroke)
+        useful = np.where(useful > 0, useful, free)
     found = _functions(scene, start, roller[:, None], inverse[:, None], useful, wanted)
     return works, crest(scene.by_panel(found))
 

@@ -96,7 +96,7 @@ def search(scene: Scene, asked: Optimum) -> tuple[Found | None, Candidates]:
     if first is None:
         return None, known
     last = first.height - scene.stroke - scene.guide.gap
-    if _rollers(scene, asked.step, far, last)[2].sum() > MANY:
+    if _points(scene, asked.step, far, last) > MANY:
         return None, replace(known, far=first)
     return _onwards(scene, asked, known, far, last)
 
@@ -122,18 +122,25 @@ def _onwards(
 
 def _stretch(scene: Scene, step: float, low: float, high: float) -> Candidates:
     """The candidates with S0 in (low, high]."""
-    start, first, count = _rollers(scene, step, low, high)
-    if int(count.sum()) > MANY:
+    points = _points(scene, step, low, high)
+    if points > MANY:
         raise UsageError(
-            f"{int(count.sum())} points of whole steps are too many to try",
+            f"{points} points of whole steps are too many to try",
             where=WHERE,
             value=step,
             remedy=f"a larger [cam.optimum] step than {1e3 * step:g} mm",
         )
+    start, first, count = _rollers(scene, step, low, high)
     rows = np.repeat(np.arange(len(start)), count)
     roller = step * (np.arange(len(rows)) - np.repeat(np.cumsum(count) - count, count) + first[rows])
     base = np.hypot(start, scene.follower.offset)
     return _candidates(scene, start[rows], roller, int(np.sum(np.floor(base / step + ROUND))))
+
+
+def _points(scene: Scene, step: float, low: float, high: float) -> int:
+    """How many points of whole steps have S0 in (low, high]; if its steps alone are too many, these."""
+    starts = int((high - low) / step)
+    return starts if starts > MANY else int(_rollers(scene, step, low, high)[2].sum())
 
 
 def _rollers(scene: Scene, step: float, low: float, high: float) -> tuple[Values, Indices, Indices]:
