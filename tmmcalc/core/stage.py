@@ -116,6 +116,8 @@ class Stage:
     picture: Picture | None = None
     chapter: str = ""  # of the note in which it is told of, by the function ``blocks`` of ``note``; empty: in none
     note: str = ""  # module with ``blocks(order)``: what the note tells of it, see `tmmcalc.report.manuscript`
+    # whether that module has ``data(order)`` too, what is given, which stands in the chapter and not in the task
+    tells_data: bool = False
     moves: bool = False  # whether a page shows it moving
     # module with ``views(order)``, what moves (`tmmcalc.report.moving`), or ``trials(order)``, what is tried by hand
     # (`tmmcalc.report.exploring`)

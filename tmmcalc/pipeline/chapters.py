@@ -39,6 +39,13 @@ def task_of(spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | Non
     return [block for room in ROOMS if room.task for block in resolve(room.task)(order)]
 
 
+def given_in(spec: Any, results: Mapping[str, Any]) -> list[Block]:
+    """The task, and what is given that stands in the chapters, in the language in force: all that is needed to solve it."""
+    order = order_of(spec, results, NONE)
+    told = (resolve(f"{STAGES[name].note}:data")(order) for name in results if STAGES[name].tells_data)
+    return [*task_of(spec, results), *(block for blocks in told for block in blocks)]
+
+
 def sought_in(results: Mapping[str, Any], stages: Sequence[str]) -> list[str]:
     """What is to be found: what the stages that the note tells of are for, in the language in force."""
     return [tr_name(STAGES[name].title) for name in _as_told(stages) if name in results]
