@@ -23,7 +23,7 @@ from tmmcalc.page.lists import ENGLISH, tables, worded
 from tmmcalc.page.packing import Block, Content
 from tmmcalc.page.said import alike, each_said, name_of, unit_of
 from tmmcalc.page.stacked import courses
-from tmmcalc.pipeline.chapters import task_of, warnings_of
+from tmmcalc.pipeline.chapters import given_in, warnings_of
 from tmmcalc.report.manuscript import Datum
 
 if TYPE_CHECKING:
@@ -175,8 +175,8 @@ def _column(header: str, meaning: str, values: Values, block: Block) -> Content:
 
 
 def given_told(run: RunResult) -> list[Content]:
-    """The given data, as the note lists them."""
-    spoken = each_said(lambda: [block for block in task_of(run.spec, run.results) if isinstance(block, Datum)])
+    """The given data, in the words of the note."""
+    spoken = each_said(lambda: [block for block in given_in(run.spec, run.results) if isinstance(block, Datum)])
     return [
         {
             "what": alike([plain_text(inline(each.what)) for each in same]),

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.moodle import elements
 from tmmcalc.classroom.moodle.numerical import SCHEME, asked_in, units_of
-from tmmcalc.classroom.moodle.scenes import Told, markup, senses, table
+from tmmcalc.classroom.moodle.scenes import Told, markup, senses, sentences, table
 from tmmcalc.core.errors import UsageError
 from tmmcalc.report.language import tr
 
@@ -40,7 +40,7 @@ def dataset_questions_of(book: Keybook, scenes: Sequence[Told], title: str, name
         text += f'<p><img src="@@PLUGINFILE@@/{SCHEME}" alt="{markup(tr("Scheme of the mechanism"))}"></p>'
         first = tr("The lengths of the scheme are those of variant {number}.", number=f"{book.keys[0].number:02d}")
         text += f"<p>{markup(first)}</p>"
-    text += table(rows, tr("Data of this variant alone"), cell=str)
+    text += sentences(scenes[0].said) + table(rows, tr("Data of this variant alone"), cell=str)
     text += table(scenes[0].common, tr("Data of all variants")) + senses(book.items)
     picture = elements.file(SCHEME, scenes[0].scheme.encode()) if scenes[0].scheme else ""
     yield elements.category(elements.level(title), "", f"{name}-all")

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.moodle import elements
-from tmmcalc.classroom.moodle.scenes import Told, markup, senses, table
+from tmmcalc.classroom.moodle.scenes import Told, markup, senses, sentences, table
 from tmmcalc.classroom.papers.tasksheet import tolerance_of, unit_of
 from tmmcalc.core.records import record
 from tmmcalc.report.language import tr, tr_name, tr_unit
@@ -58,8 +58,12 @@ def questions_of(book: Keybook, scenes: Sequence[Told], title: str, name: str, r
 def _described(scene: Told, items: Sequence[Item], name: str, key: str) -> str:
     """The scheme and the data, before the questions: it asks for nothing."""
     picture = f'<p><img src="@@PLUGINFILE@@/{SCHEME}" alt="{markup(tr("Scheme of the mechanism"))}"></p>'
-    text = (picture if scene.scheme else "") + table(scene.own, tr("Data of this variant alone"))
-    text += table(scene.common, tr("Data of all variants")) + senses(items)
+    text = (picture if scene.scheme else "") + sentences(scene.said)
+    text += (
+        table(scene.own, tr("Data of this variant alone"))
+        + table(scene.common, tr("Data of all variants"))
+        + senses(items)
+    )
     files = elements.file(SCHEME, scene.scheme.encode()) if scene.scheme else ""
     return elements.question("description", name, text, files=files, points=0, key=key)
 

@@ -14,7 +14,7 @@ from tmmcalc.classroom.papers.tasksheet import given_of, meanings_of, said_in, s
 from tmmcalc.note.assembled import drawn, inline
 from tmmcalc.note.task import row_of
 from tmmcalc.note.tree import plain_text
-from tmmcalc.pipeline.chapters import task_of
+from tmmcalc.pipeline.chapters import given_in
 from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.printing import printed_as
@@ -32,6 +32,7 @@ class Told(NamedTuple):
     """A variant as questions tell it."""
 
     scheme: str  # SVG; empty: none
+    said: list[str]  # of the scene, in words
     own: list[list[str]]  # data of this variant alone: what, names, value
     common: list[list[str]]
     numbers: list[list[float]]  # of each of the own data, as they are shown; none where it is a text
@@ -62,11 +63,12 @@ def scenes_of(
 def scene_bytes(scene: Scene, order: Order) -> bytes:
     """A variant as `Told`, for the process that asked."""
     with scene.run.believed():
-        given = given_of(task_of(scene.run.spec, scene.run.results), order.own, order.untold)
+        given = given_of(given_in(scene.run.spec, scene.run.results), order.own, order.untold)
         picture = svg(drawn(given.scheme[0])).decode() if given.scheme else ""
         meanings = [plain_text(inline(each)) for each in meanings_of(order.items, scene.run)]
     found = Told(
         picture,
+        [plain_text(inline(each.text)) for each in given.said],
         [*map(_cells, given.own)],
         [*map(_cells, given.common)],
         [*map(_numbers, given.own)],
@@ -83,6 +85,11 @@ def _cells(datum: Datum) -> list[str]:
 def _numbers(datum: Datum) -> list[float]:
     factor = printed_as(datum.unit)[1]
     return [] if datum.text else [float(f"{value * factor:.{FIGURES}g}") for value in datum.values]
+
+
+def sentences(told: Sequence[str]) -> str:
+    """Paragraphs as HTML."""
+    return "".join(f"<p>{markup(each)}</p>" for each in told)
 
 
 def table(rows: Sequence[Sequence[str]], caption: str, cell: Callable[[str], str] | None = None) -> str:

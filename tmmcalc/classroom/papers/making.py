@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tmmcalc.batch.choice import local
 from tmmcalc.batch.local import available, cores
@@ -22,11 +22,11 @@ from tmmcalc.note.forms import formed
 from tmmcalc.note.made import frame_of as frame_of_note
 from tmmcalc.note.made import note_of, told_in
 from tmmcalc.note.task import row_of
-from tmmcalc.pipeline.chapters import task_of
+from tmmcalc.pipeline.chapters import given_in, task_of
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project.loader import Variants, read_text
 from tmmcalc.report.language import speaking, spoken, tr
-from tmmcalc.report.manuscript import Datum
+from tmmcalc.report.manuscript import Block, Datum
 from tmmcalc.report.printing import printing
 from tmmcalc.spec.override import split
 
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 SOLVER = "tmmcalc.classroom.papers.making:solve_papers"
 FEW = 4  # papers that are not worth a process
 
+Telling = Callable[[Any, Mapping[str, Any]], list[Block]]  # what is given, by a spec and its results
 Data = dict[Mark, tuple[str, str, str]]  # as they are printed: the last digits of a number are nobody's own
 
 
@@ -141,7 +142,7 @@ def _scene(variants: Variants, spec: Spec) -> Scene:
 def sheet_bytes(scene: Scene, order: Order) -> bytes:
     """The task sheet of a variant in the form of its file."""
     with scene.run.believed():
-        blocks = task_of(scene.run.spec, scene.run.results)
+        blocks = given_in(scene.run.spec, scene.run.results)
         given = given_of(blocks, order.own, order.untold)
         meanings = meanings_of(order.items, scene.run)
         title, form = scene.spec.project.title, Path(order.target).suffix[1:]
@@ -176,8 +177,8 @@ def traced(assignment: Path) -> tuple[Own, tuple[int, ...]]:
     keys = [key for each in table.drawn for key in each.of]
     drawn = drawn_of(spec, frame_of(assignment, (), keys, ()).axes)
     own, further, place = set[tuple[str, tuple[str, ...]]](), list[int](), 0
-    base = _scene(variants, spec)
-    first = _data(spec, base.run)
+    base = _scene(variants, spec).run
+    first: dict[Telling, Data] = {of: _data(of, spec, base) for of in (task_of, given_in)}
     for each, ends in zip(drawn, spans(drawn), strict=True):
         differing = _differing(variants, each, ends, base, first)
         own |= differing
@@ -186,21 +187,23 @@ def traced(assignment: Path) -> tuple[Own, tuple[int, ...]]:
     return frozenset(own), tuple(further)
 
 
-def _differing(variants: Variants, drawn: Drawn, ends: Sequence[Fraction], base: Scene, first: Data) -> set[Mark]:
-    """What of the task differs with another value of a number: of the spec alone, else of what is found with it too."""
-    for solved in (False, True):
+def _differing(
+    variants: Variants, drawn: Drawn, ends: Sequence[Fraction], base: RunResult, first: Mapping[Telling, Data]
+) -> set[Mark]:
+    """What differs of the task with another value of a number, by the spec alone; else of all that is given."""
+    for of, known in first.items():
         for end in ends:
             changed = variants.spec([axis.assignment(float(end)) for axis in drawn.axes])
             try:
-                data = _data(changed, _scene(variants, changed).run if solved else base.run)
+                data = _data(of, changed, base if of is task_of else run(changed))
             except TmmError:
                 continue
-            if found := {mark for mark in {*data, *first} if data.get(mark) != first.get(mark)}:
+            if found := {mark for mark in {*data, *known} if data.get(mark) != known.get(mark)}:
                 return found
     return set()
 
 
-def _data(spec: Spec, found: RunResult) -> Data:
+def _data(of: Telling, spec: Spec, found: RunResult) -> Data:
     with found.believed():
-        blocks = task_of(spec, found.results)
+        blocks = of(spec, found.results)
     return {mark_of(block): row_of(block) for block in blocks if isinstance(block, Datum)}

@@ -31,15 +31,17 @@ class Given:
     """What a variant is given."""
 
     scheme: tuple[Figure, ...]
+    said: tuple[Paragraph, ...]  # of the scene, in words
     own: tuple[Datum, ...]  # that variants differ in
     common: tuple[Datum, ...]
 
 
 def given_of(blocks: Sequence[Block], own: Own, further: Mapping[str, str]) -> Given:
-    """The task of a run, parted by what is drawn; ``further`` are drawn keys that it does not tell, with values."""
+    """What a run is given, parted by what is drawn; ``further`` are drawn keys that it does not tell, with values."""
     data = [block for block in blocks if isinstance(block, Datum)]
     return Given(
         tuple(block for block in blocks if isinstance(block, Figure)),
+        tuple(block for block in blocks if isinstance(block, Paragraph)),
         (*(each for each in data if mark_of(each) in own), *(Datum(key, text=value) for key, value in further.items())),
         tuple(each for each in data if mark_of(each) not in own),
     )
@@ -87,6 +89,7 @@ def _blocks(who: str, given: Given, items: Sequence[Item], meanings: Sequence[st
         figure = f"{{fig:{given.scheme[0].key}}}"
         yield Paragraph(tr("The scheme is shown in figure {figure}.", figure=figure))
         yield from given.scheme
+    yield from given.said
     head = (tr("Quantity"), tr("Designation"), tr("Value"))
     if given.own:
         yield Paragraph(tr("Table {tab:own} has the data of this variant alone."))
