@@ -59,11 +59,8 @@ def _described(scene: Told, items: Sequence[Item], name: str, key: str) -> str:
     """The scheme and the data, before the questions: it asks for nothing."""
     picture = f'<p><img src="@@PLUGINFILE@@/{SCHEME}" alt="{markup(tr("Scheme of the mechanism"))}"></p>'
     text = (picture if scene.scheme else "") + sentences(scene.said)
-    text += (
-        table(scene.own, tr("Data of this variant alone"))
-        + table(scene.common, tr("Data of all variants"))
-        + senses(items)
-    )
+    text += table(scene.own, tr("Data of this variant alone"))
+    text += table(scene.common, tr("Data of all variants")) + senses(items)
     files = elements.file(SCHEME, scene.scheme.encode()) if scene.scheme else ""
     return elements.question("description", name, text, files=files, points=0, key=key)
 
