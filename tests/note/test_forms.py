@@ -217,6 +217,22 @@ def test_what_ends_with_a_colon_is_not_parted_from_what_it_leads_to() -> None:
     assert paragraph.find(f"{space}pPr/{space}keepNext") is not None
 
 
+def test_a_formula_at_the_end_of_a_page_is_not_parted_from_what_its_letters_are() -> None:
+    """Down the page line by line: somewhere the formula would be the last line of it."""
+    reader = pytest.importorskip("pypdfium2")
+    said = "way of the slider from the far end of its stroke, where the crank and the rod lie in one line, to the place"
+    told = {"v": Given(6.0, "m/s", "mean velocity"), "s": Given(3.0, "m", said), "t": Given(0.5, "s", "time")}
+    line = Line(read("v = s/t"), (Place("", told),))
+    ends = []
+    for count in range(25, 45):
+        blocks = (Paragraph("The line."),) * count
+        note = Assembler().written([Chapter("x", "Motion", (*blocks, line, *blocks[:9]))])
+        pages = [sheet.get_textpage().get_text_bounded() for sheet in reader.PdfDocument(pdf(source(note, "en", "")))]
+        assert not any(page.startswith("where") for page in pages), count
+        ends.append(pages[0].count("The line."))
+    assert min(ends) < max(ends) < 45  # the end of the page was passed
+
+
 def test_numbers_of_parts_without_a_chapter_do_not_begin_anew_in_word() -> None:
     parts = [Chapter(name, name, (Table("A", ("B",), (("c",),), name),), number="") for name in ("task", "conclusions")]
     held = document(Assembler().written(parts), "X")

@@ -37,7 +37,7 @@ def _formula(formula: Equation, said: Text | None, *, holds: bool) -> Iterator[s
         gutter = f"column-gutter: (0mm, 0mm, {GAP:g}mm, 0mm)"
         yield f"#line({columns}, {str(holds).lower()}, {gutter}, {cells}){_eq(formula)}"
         return
-    yield _line([formula], ACROSS, holds=holds)
+    yield _line([formula], ACROSS, holds=holds or said is not None)
     if said is not None:
         yield f"#explained[{set_text(said)}]"
 
