@@ -87,7 +87,7 @@ def test_the_task_of_the_press_tells_all_that_is_drawn() -> None:
 def test_a_number_has_no_unit(unit: str) -> None:
     """That of a fact is empty, that of a column -."""
     asked = (item("cam_law.s1@3", unit, within=0.01),)
-    (chapter,) = task_sheet("", "Variant", Given((), (), ()), asked, ["slope"])
+    (chapter,) = task_sheet("", "Variant", Given((), (), (), ()), asked, ["slope"])
     (rows,) = [block.rows for block in chapter.blocks if isinstance(block, Table)]
     assert rows[0][1:5] == ("slope", "–", "4", "1 % or 0.01")
 
