@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import re
 from base64 import b64decode
+from dataclasses import replace
 from typing import NamedTuple
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
@@ -20,13 +21,14 @@ from classroom.school import STUDENTS, TITLE, School
 from tmmcalc.classroom.keymaking import Keybook
 from tmmcalc.classroom.marking import Rules
 from tmmcalc.classroom.moodle.dataset import MOST, dataset_questions_of
-from tmmcalc.classroom.moodle.elements import element, html, level, quiz, words
-from tmmcalc.classroom.moodle.numerical import questions_of
+from tmmcalc.classroom.moodle.elements import category, element, html, quiz, words
+from tmmcalc.classroom.moodle.numerical import questions_of, units_of
 from tmmcalc.classroom.moodle.scenes import Told, scenes_of
 from tmmcalc.core.errors import UsageError
-from tmmcalc.report.language import speaking
+from tmmcalc.report.language import speaking, tr_unit
 
 PERMITTED = (100, 90, 83.33333, 80, 75, 70, 66.66667, 60, 50, 40, 33.33333, 30, 25, 20, 16.66667, 14.28571, 12.5)
+SPELLED = str.maketrans("<>", "‹›")  # in names, as tags are stripped from them
 PERMITTED += (11.11111, 10, 5, 0)
 
 
@@ -78,6 +80,9 @@ def read(data: bytes) -> list[tuple[str, list[Element]]]:
     for question in root:
         if question.attrib["type"] == "category":
             found.append((text_of(question, "category"), []))
+            assert question.find("idnumber") is None, (
+                "a course takes each but once, and two classes may be called alike"
+            )
             continue
         assert 0 < len(text_of(question, "name")) <= 255
         body = question.find("questiontext")
@@ -130,13 +135,28 @@ def test_a_variant_is_a_category_with_its_scheme_and_a_question_an_item(
     assert len(numerical) == 3
     for number, (path, questions) in enumerate(numerical, 1):
         parts = [part.replace("//", "/") for part in re.split(r"(?<!/)/(?!/)", path)]
-        assert parts == ["$course$", "top", TITLE, f"Variant {number:02d}"]
+        assert parts == ["$course$", "top", TITLE.translate(SPELLED), f"Variant {number:02d}"]
         described, *asked = questions
         assert described.attrib["type"] == "description"
         assert described.find("questiontext/file") is not None
         assert {each.attrib["type"] for each in asked} == {"numerical"}
         assert [text_of(each, "name") for each in asked] == [f"{number:02d} {item.name}" for item in school.items]
-    assert level("a/b") == "a//b"
+
+
+@pytest.mark.parametrize(
+    ("title", "name"),
+    [("a/b", "a/b"), ("/lead and tail/", "/lead and tail/"), ("r<5 & z>17", "r‹5 & z›17"), ("x" * 300, "x" * 255)],
+)
+def test_a_title_is_one_category(title: str, name: str) -> None:
+    """Moodle parts a path at single slashes, strips tags and has room for 255 characters."""
+    path = text_of(ElementTree.fromstring(category((title, "Variant 01"), "")), "category")
+    parts = [part.strip().replace("//", "/") for part in re.split(r"(?<!/)/(?!/)", path)]
+    assert parts == ["$course$", "top", name, "Variant 01"]
+
+
+def test_names_of_keys_are_cut_before_what_tells_them_apart(school: School, scenes: list[Told]) -> None:
+    for made in (questions_of, dataset_questions_of):
+        read(quiz(made(school.book, scenes, TITLE, "long" * 40, Rules())))
 
 
 def test_a_question_says_in_which_sense_and_within_what(
@@ -224,7 +244,7 @@ def test_names_and_titles_come_back_as_they_are(
         text_of(each, "info") for each in ElementTree.fromstring(data).iter("question") if each.find("info") is not None
     ]
     assert infos == [*STUDENTS, ""]
-    assert text_of(numerical[0][1][0], "name") == f"01 {TITLE}"
+    assert text_of(numerical[0][1][0], "name") == f"01 {TITLE.translate(SPELLED)}"
 
 
 def test_texts_hold_whatever_stands_in_them() -> None:
@@ -253,10 +273,11 @@ def test_a_set_of_data_is_a_variant(calculated: list[Element], school: School) -
         said = text_of(question, "questiontext") + "".join(text_of(each, ".") for each in question.findall("answer"))
         assert {*re.findall(r"\{([A-Za-z]\w*)\}", said)} == {*columns}
         assert "{" not in re.sub(r"\{[A-Za-z]\w*\}", "", said)
-        assert columns["v"] == [1, 2, 3]
-        assert columns[f"a{at + 1}"] == pytest.approx([key.values[at] for key in school.book.keys], rel=1e-9)
+        (of,) = {name.rpartition("_")[2] for name in columns}
+        assert columns[f"v_{of}"] == [1, 2, 3]
+        assert columns[f"a{at + 1}_{of}"] == pytest.approx([key.values[at] for key in school.book.keys], rel=1e-9)
         answers = question.findall("answer")
-        assert text_of(answers[0], ".") == f"{{a{at + 1}}}"
+        assert text_of(answers[0], ".") == f"{{a{at + 1}_{of}}}"
         assert value_of(answers[0], "tolerancetype") == "1"
         assert float(value_of(answers[0], "tolerance")) == item.tolerance
         assert value_of(answers[0], "correctanswerformat") == "2"
@@ -281,6 +302,60 @@ def test_a_set_has_the_numbers_of_the_spec_that_was_given_out(calculated: list[E
     assert {unit for _, unit in of_crank} == {"mm"}
     wanted = [float(value) / 1000 for value, _ in of_crank]
     assert any(column == pytest.approx(wanted) for column in columns)
+
+
+def test_shared_data_of_another_class_have_other_names(school: School, scenes: list[Told]) -> None:
+    """Data of a name that a category has already stay as they are when a file is read."""
+
+    def names(book: Keybook) -> set[str]:
+        ((_, questions),) = read(quiz(dataset_questions_of(book, scenes, TITLE, "shaper", Rules())))
+        return {text_of(each, "name") for question in questions for each in question.iter("dataset_definition")}
+
+    first, *others = school.book.keys
+    other = Keybook(school.items, school.book.mistakes, (replace(first, values=(*first.values[:-1], 1.0)), *others))
+    assert names(school.book) == names(school.book)
+    assert not names(school.book) & names(other)
+
+
+def test_an_angle_is_right_a_whole_turn_aside_in_every_set(school: School, scenes: list[Told]) -> None:
+    """Within what the least of the right values allows, for the tolerance of a turned angle is another."""
+    keys = tuple(
+        replace(key, values=(value, *key.values[1:]))
+        for key, value in zip(school.book.keys, (40.0, -2.0, 90.0), strict=True)
+    )
+    items = (replace(school.items[0], unit="deg", tolerance=0.01, within=0.0, either_sense=False), *school.items[1:])
+    ((_, (question, *_)),) = read(
+        quiz(dataset_questions_of(Keybook(items, school.book.mistakes, keys), scenes, TITLE, "x", Rules()))
+    )
+    turned = [each for each in question.findall("answer") if text_of(each, ".").endswith("360")]
+    assert [text_of(each, ".").partition("}")[2] for each in turned] == ["-360", "+360"]
+    assert [(value_of(each, "tolerancetype"), float(value_of(each, "tolerance"))) for each in turned] == [
+        ("2", 0.02)
+    ] * 2
+
+
+def test_tolerances_have_few_characters(school: School, scenes: list[Told]) -> None:
+    """Moodle has room for twenty."""
+    items = (replace(school.items[0], unit="rad", within=math.radians(0.05)), *school.items[1:])
+    ((_, (question, *_)),) = read(
+        quiz(dataset_questions_of(Keybook(items, school.book.mistakes, school.book.keys), scenes, TITLE, "x", Rules()))
+    )
+    assert max(len(value_of(each, "tolerance")) for each in question.findall("answer")) <= 20
+
+
+@pytest.mark.parametrize("language", ["en", "uk"])
+@pytest.mark.parametrize("unit", ["1/min", "s^-2", "mm/s^2", "kN*m", "deg/s^2"])
+def test_a_unit_can_be_typed_and_is_not_read_as_a_number(unit: str, language: str) -> None:
+    """No unit begins with a digit, which would go on the number before it; the first is what is asked for."""
+    with speaking(language):
+        named = dict(units_of(unit))
+        said = tr_unit(unit)
+    assert not any(each[:1].isdigit() for each in named)
+    assert next(iter(named.values())) == 1
+    keyed = said.replace("²", "^2").replace("·", "*")
+    assert named[f"{keyed[2:]}^-1" if keyed.startswith("1/") else keyed] == 1
+    for typed in [each for each in named if "^2" in each or "*" in each]:
+        assert named[typed.replace("^2", "²").replace("*", "·")] == named[typed]
 
 
 def test_moodle_has_no_more_sets_than_a_hundred(school: School, scenes: list[Told]) -> None:

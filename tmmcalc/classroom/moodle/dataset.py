@@ -7,6 +7,7 @@ in each of them. Known mistakes have no numbers here: what they give is no formu
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.moodle import elements
@@ -14,6 +15,7 @@ from tmmcalc.classroom.moodle.numerical import SCHEME, asked_in, units_of
 from tmmcalc.classroom.moodle.scenes import Told, markup, senses, sentences, table
 from tmmcalc.core.errors import UsageError
 from tmmcalc.report.language import tr
+from tmmcalc.spec.units import conversion, kind_of
 
 if TYPE_CHECKING:
     from tmmcalc.classroom.marking import Rules
@@ -32,10 +34,11 @@ def dataset_questions_of(book: Keybook, scenes: Sequence[Told], title: str, name
     if len(book.keys) > MOST:
         rule = f"a question of Moodle has {MOST} sets of data at most, the class has {len(book.keys)} variants"
         raise UsageError(rule, where="--moodle-dataset", value=len(book.keys), limit=MOST, remedy="take --moodle")
-    columns: Columns = {"v": [float(key.number) for key in book.keys]}
+    name, of = elements.stem(name), _digest(book, scenes)
+    columns: Columns = {f"v{of}": [float(key.number) for key in book.keys]}
     told = dict.fromkeys((what, names) for scene in scenes for what, names, _ in scene.own)
-    rows = [_row(columns, scenes, mark, number) for number, mark in enumerate(told, 1)]
-    text = f"<p>{tr('Variant {number}', number='{v}')}</p>"
+    rows = [_row(columns, scenes, mark, number, of) for number, mark in enumerate(told, 1)]
+    text = f"<p>{tr('Variant {number}', number=f'{{v{of}}}')}</p>"
     if scenes[0].scheme:
         text += f'<p><img src="@@PLUGINFILE@@/{SCHEME}" alt="{markup(tr("Scheme of the mechanism"))}"></p>'
         first = tr("The lengths of the scheme are those of variant {number}.", number=f"{book.keys[0].number:02d}")
@@ -43,9 +46,9 @@ def dataset_questions_of(book: Keybook, scenes: Sequence[Told], title: str, name
     text += sentences(scenes[0].said) + table(rows, tr("Data of this variant alone"), cell=str)
     text += table(scenes[0].common, tr("Data of all variants")) + senses(book.items)
     picture = elements.file(SCHEME, scenes[0].scheme.encode()) if scenes[0].scheme else ""
-    yield elements.category(elements.level(title), "", f"{name}-all")
+    yield elements.category((title,), "")
     for at, (item, meaning) in enumerate(zip(book.items, scenes[0].meanings, strict=True)):
-        own = columns | {f"a{at + 1}": [float(f"{key.values[at]:.10g}") for key in book.keys]}
+        right = [float(f"{key.values[at]:.10g}") for key in book.keys]
         yield elements.question(
             "calculated",
             item.name,
@@ -55,16 +58,22 @@ def dataset_questions_of(book: Keybook, scenes: Sequence[Told], title: str, name
             elements.element("answernumbering", "abc"),
             elements.element("shuffleanswers", "0"),
             *_combined(),
-            *_answers(item, f"{{a{at + 1}}}", rules),
+            *_answers(item, f"{{a{at + 1}{of}}}", right, rules),
             *elements.units(units_of(item.unit)),
-            _definitions(own),
+            _definitions(columns | {f"a{at + 1}{of}": right}),
             files=picture,
             points=item.weight,
             key=f"{name}-all-{at + 1}",
         )
 
 
-def _row(columns: Columns, scenes: Sequence[Told], mark: tuple[str, str], number: int) -> list[str]:
+def _digest(book: Keybook, scenes: Sequence[Told]) -> str:
+    """What the names of data end with. Shared data of a name that a category has already would stay as they are."""
+    told = repr([(key.number, key.values, scene.numbers) for key, scene in zip(book.keys, scenes, strict=True)])
+    return f"_{sha256(told.encode()).hexdigest()[:6]}"
+
+
+def _row(columns: Columns, scenes: Sequence[Told], mark: tuple[str, str], number: int, of: str) -> list[str]:
     """A row of data as HTML, with names in place of what differs; what they stand for is added to the columns."""
     places = [[k for k, row in enumerate(scene.own) if (row[0], row[1]) == mark][:1] for scene in scenes]
     head = [*map(markup, mark)]
@@ -73,7 +82,7 @@ def _row(columns: Columns, scenes: Sequence[Told], mark: tuple[str, str], number
         texts = {scene.own[at[0]][2] if at else "" for scene, at in zip(scenes, places, strict=True)}
         return [*head, markup(texts.pop() if len(texts) == 1 else tr("see the task sheet"))]
     (count,) = sizes
-    own = [f"d{number}{chr(ord('a') + k) if count > 1 else ''}" for k in range(count)]
+    own = [f"d{number}{f'_{k}' if count > 1 else ''}{of}" for k in range(1, count + 1)]
     values = [scene.numbers[at] for scene, (at,) in zip(scenes, places, strict=True)]
     columns |= {name: [*column] for name, column in zip(own, zip(*values, strict=True), strict=True)}
     shown = "; ".join(f"{{{name}}}" for name in own)
@@ -85,15 +94,24 @@ def _combined() -> Iterator[str]:
         yield elements.element(name, elements.html(""), format="html")
 
 
-def _answers(item: Item, formula: str, rules: Rules) -> Iterator[str]:
-    """What is right, of the other sign too where that is left open, then what is right by plans, then all else."""
-    right = [formula, f"-{formula}"] if item.either_sense else [formula]
-    for each in right:
+def _answers(item: Item, formula: str, values: Sequence[float], rules: Rules) -> Iterator[str]:
+    """What is right, of the other sign too where that is left open, then what is right by plans, then all else.
+
+    An angle a whole turn aside is right within what the least of the ``values`` of all variants allows: a relative
+    tolerance would be one of the turned angle.
+    """
+    either = [formula, f"-{formula}"] if item.either_sense else [formula]
+    turn = conversion("rev", item.unit) if kind_of(item.unit) == "angle" else 0.0
+    turned = max(item.within, item.tolerance * min(map(abs, values)))
+    for each in either:
         yield _answer(item, each, 100.0, RELATIVE, item.tolerance, tr("Right."))
         if item.within:
             yield _answer(item, each, 100.0, NOMINAL, item.within, tr("Right."))
+        if turn and turned:
+            for sign in "-+":
+                yield _answer(item, f"{each}{sign}{turn:.12g}", 100.0, NOMINAL, turned, tr("Right."))
     if item.plans > item.tolerance and rules.for_plans:
-        for each in right:
+        for each in either:
             said = tr("Right within the accuracy of plans.")
             yield _answer(item, each, elements.grade(rules.for_plans), RELATIVE, item.plans, said)
     yield _answer(item, "*", 0.0, RELATIVE, 0.0, "")
@@ -104,7 +122,7 @@ def _answer(item: Item, formula: str, part: float, kind: str, within: float, fee
         formula,
         part,
         feedback,
-        elements.element("tolerance", elements.shown(within)),
+        elements.element("tolerance", elements.shown(float(f"{within:.6g}"))),
         elements.element("tolerancetype", kind),
         elements.element("correctanswerformat", SIGNIFICANT),
         elements.element("correctanswerlength", str(item.digits)),

@@ -18,8 +18,9 @@ GRADES = (
     *(100.0, 90.0, 83.33333, 80.0, 75.0, 70.0, 66.66667, 60.0, 50.0, 40.0, 33.33333, 30.0, 25.0, 20.0),
     *(16.66667, 14.28571, 12.5, 11.11111, 10.0, 5.0, 0.0),
 )
-LONGEST_ID = 100  # characters of an idnumber
-LONGEST_NAME = 255
+LONGEST_NAME = 255  # characters of the name of a question, of each level of a category
+STEM, LONGEST_ID = 80, 100  # characters of an idnumber: of what those of a class have alike, of all
+_OPENED = str.maketrans("<>", "‹›")  # in names, of which Moodle strips tags
 _BARRED = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")  # what XML cannot hold
 
 
@@ -62,7 +63,7 @@ def file(name: str, data: bytes) -> str:
 def question(kind: str, name: str, text: str, *parts: str, files: str = "", points: float = 1.0, key: str = "") -> str:
     """A question: its name, its text as HTML with files, and what its kind has."""
     head = (
-        element("name", words(name[:LONGEST_NAME])),
+        element("name", words(name.translate(_OPENED)[:LONGEST_NAME])),
         element("questiontext", html(text) + files, format="html"),
         element("generalfeedback", html(""), format="html"),
         element("defaultgrade", shown(points)),
@@ -73,21 +74,27 @@ def question(kind: str, name: str, text: str, *parts: str, files: str = "", poin
     return element("question", "\n    ".join(("", *head, *parts)) + "\n  ", type=kind)
 
 
-def category(name: str, info: str, key: str) -> str:
-    """Where the questions after it go; a slash of a name parts no levels."""
-    path = element("category", words("$course$/top/" + name))
+def category(levels: Sequence[str], info: str) -> str:
+    """Where the questions after it go. It has no idnumber: a course takes each but once, and refuses the file else."""
+    path = element("category", words("/".join(("$course$", "top", *map(_level, levels)))))
     said = element("info", words(info), format="moodle_auto_format")
-    known = element("idnumber", escape(_held(key)))
-    return element("question", f"\n    {path}\n    {said}\n    {known}\n  ", type="category")
+    return element("question", f"\n    {path}\n    {said}\n  ", type="category")
 
 
-def level(name: str) -> str:
-    """The name of a category within its path.
+def _level(name: str) -> str:
+    """The name of a category within its path, in which a slash of its own parts no levels.
 
-    >>> level("A/B")
-    'A//B'
+    >>> _level("A/B"), _level("/A")
+    ('A//B', ' //A')
     """
-    return name.replace("/", "//")
+    cut = name.translate(_OPENED)[:LONGEST_NAME].strip()
+    ends = (" " * cut.startswith("/"), " " * cut.endswith("/"))  # three slashes in a row would part before the second
+    return cut.replace("/", "//").join(ends)
+
+
+def stem(name: str) -> str:
+    """What the idnumbers of a class begin with, so short that their ends are not cut."""
+    return name[:STEM]
 
 
 def answer(value: str, part: float, feedback: str, *more: str) -> str:

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from tmmcalc.classroom.model import Item, Key, Keybook
 
 SCHEME = "scheme.svg"
+KEYS = str.maketrans({"²": "^2", "³": "^3", "·": "*"})  # as they are typed
 HINTS = 3  # of mistakes that give the same number
 
 
@@ -38,10 +39,10 @@ class Wrong:
 
 def questions_of(book: Keybook, scenes: Sequence[Told], title: str, name: str, rules: Rules) -> Iterator[str]:
     """The questions of all variants, in the language in force; ``name`` begins the keys that Moodle knows them by."""
+    name = elements.stem(name)
     for key, scene in zip(book.keys, scenes, strict=True):
         number = f"{key.number:02d}"
-        path = f"{elements.level(title)}/{tr('Variant {number}', number=number)}"
-        yield elements.category(path, key.student, f"{name}-{number}")
+        yield elements.category((title, tr("Variant {number}", number=number)), key.student)
         yield _described(scene, book.items, f"{number} {title}", f"{name}-{number}-0")
         for at, (item, meaning) in enumerate(zip(book.items, scene.meanings, strict=True)):
             yield elements.question(
@@ -67,7 +68,7 @@ def _described(scene: Told, items: Sequence[Item], name: str, key: str) -> str:
 
 def asked_in(item: Item, meaning: str) -> str:
     """The text of a question."""
-    unit = f" [{unit_of(item)}]" if unit_of(item) else ""
+    unit = f" [{_begun(unit_of(item))}]" if unit_of(item) else ""  # as it can be typed
     asked = f"{tr('{count} significant digits', count=item.digits)}, {tr('within {part}', part=tolerance_of(item))}"
     return f"<p><b>{markup(item.name)}</b>{markup(unit)}: {markup(meaning)} ({markup(asked)})</p>"
 
@@ -123,9 +124,22 @@ def units_of(unit: str) -> list[tuple[str, float]]:
     found: dict[str, float] = {}
     for each in (unit, *UNITS[kind]):
         for spelled in (each, tr_unit(each)):
-            if not spelled[:1].isdigit():  # it would be read as a part of the number
-                found.setdefault(spelled, float(f"{conversion(unit, each):.12g}"))
+            typed = _begun(spelled.translate(KEYS))
+            for either in (typed, typed.replace("^2", "²").replace("^3", "³").replace("*", "·")):
+                found.setdefault(either, float(f"{conversion(unit, each):.12g}"))
     return [*found.items()]
+
+
+def _begun(unit: str) -> str:
+    """A unit that begins with no digit, which would be read as one of the number before it.
+
+    >>> _begun("1/min"), _begun("1/s^2"), _begun("mm")
+    ('min^-1', 's^-2', 'mm')
+    """
+    if not unit.startswith("1/"):
+        return unit
+    name, _, power = unit.removeprefix("1/").partition("^")
+    return f"{name}^-{power or 1}"
 
 
 def _allowed(item: Item, value: float) -> float:
