@@ -40,7 +40,7 @@ def task_of(spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | Non
 
 
 def given_in(spec: Any, results: Mapping[str, Any]) -> list[Block]:
-    """The task, and what is given that stands in the chapters, in the language in force: all that is needed to solve it."""
+    """The task, and what is given that stands in the chapters, in the language in force."""
     order = order_of(spec, results, NONE)
     told = (resolve(f"{STAGES[name].note}:data")(order) for name in results if STAGES[name].tells_data)
     return [*task_of(spec, results), *(block for blocks in told for block in blocks)]
