@@ -70,8 +70,8 @@ def _searched(asked: DwellTask, optimum: Optimum) -> Iterator[Block]:
             "The parameters that are not given are sought so that the weighted sum of the criteria is least: $f_1$, "
             "the largest deviation over the dwell as a part of the stroke; $f_2 = l_OB/l_OA$; $f_3$, the tangent of "
             "the largest pressure angle; $f_4$ and $f_5$, the sums of the squares of the largest forces of both bars "
-            "on the working and on the idle stroke, for a unit resistance and lengths in parts of $l_OB$. The crank turns "
-            "fully."
+            "on the working and on the idle stroke, for a unit resistance and lengths in parts of $l_OB$. The crank "
+            "turns fully."
         )
     )
     for k, weight in enumerate(optimum.weights, 1):
