@@ -175,7 +175,7 @@ def data(order: Order) -> Iterator[Block]:
         )
     yield from data_of(_metric(alone))
     if alone.result.variant is not None:
-        yield Datum(tr("assembly of the links"), text=_assembled(alone, alone.result.variant))
+        yield Datum(tr("assembly of the links"), text=_assembled(alone))
     yield from _ports(task, places["P"], places["Q"])
     for mark in task.points:
         axes = _axes(task.kind, mark.link, places)
@@ -206,7 +206,7 @@ def _metric(alone: Alone) -> Lexicon:
     return {key: alone.lexicon[key] for key in keys if key in alone.lexicon}
 
 
-def _assembled(alone: Alone, variant: int) -> str:
+def _assembled(alone: Alone) -> str:
     """Which of the two assemblies it is."""
     words = {"first": alone.at.places["P"], "second": alone.at.places["Q"], "inner": alone.at.places["B"]}
     one, other = {
@@ -223,7 +223,7 @@ def _assembled(alone: Alone, variant: int) -> str:
             tr("{first} behind {second} along the line of link b", **words),
         ),
     }[alone.task.kind]
-    return one if variant > 0 else other
+    return one if alone.task.variant > 0 else other
 
 
 def _given(alone: Alone) -> Iterator[Block]:
