@@ -43,17 +43,18 @@ READY = sorted(
         re.MULTILINE,
     )
 )
+DEAR = {"dyad", "synth-dwell", "synth-dwell-optimum", "synth-dwell-rocker", "synth-motion", "synth-path"}
+DEAR |= {"synth-trailing-rod", "vibratory-device"}
+SPECS = [pytest.param(name, marks=[pytest.mark.slow] * (name in DEAR)) for name in READY]
 HEAD = '[project]\ntitle = "t"\n\n'
 OTHERS = {  # specs whose tables have other keys than those of the ready ones
     **{f"extras, {kind}": HEAD + body for kind, body in test_extras.KINDS.items()},
     **{f"manipulator, {kind}": test_manipulators.HEAD + body for kind, body in test_manipulators.KINDS.items()},
     **{f"vibration, {kind}": HEAD + body for kind, body in test_vibration.KINDS.items()},
-    **{
-        f"synthesis, {kind}": HEAD + test_synthesis.body_of(kind)
-        for kind in (*test_synthesis.CLOSED, *test_synthesis.SOUGHT)
-    },
+    **{f"synthesis, {kind}": HEAD + test_synthesis.body_of(kind) for kind in test_synthesis.CLOSED},
     **{f"dyad, {kind}": f'{HEAD}[dyad]\nkind = "{kind.split()[0]}"\n{body}' for kind, body in test_dyad.KINDS.items()},
 }
+SOUGHT = {f"synthesis, {kind}": HEAD + test_synthesis.body_of(kind) for kind in test_synthesis.SOUGHT}
 UNTOLD = {  # ends of keys of numbers that are none of the given data
     ".at_least": "a limit of a constraint, which another stage judges",
     ".at_most": "a limit of a constraint, which another stage judges",
@@ -137,7 +138,7 @@ def untold(words: str, variants: Variants, done: RunResult) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize("name", READY)
+@pytest.mark.parametrize("name", SPECS)
 def test_every_number_of_a_ready_spec_is_told(name: str) -> None:
     variants, done = ready(name)
     assert data_of(given_in(done.spec, done.results))
@@ -148,6 +149,13 @@ def test_every_number_of_a_ready_spec_is_told(name: str) -> None:
 def test_every_number_of_other_keys_is_told(name: str) -> None:
     variants, done = scene(OTHERS[name], Path(gettempdir()))
     assert untold(OTHERS[name], variants, done) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", SOUGHT)
+def test_every_number_of_a_search_is_told(name: str) -> None:
+    variants, done = scene(SOUGHT[name], Path(gettempdir()))
+    assert untold(SOUGHT[name], variants, done) == []
 
 
 def said(blocks: list[Block]) -> str:
@@ -167,7 +175,7 @@ def found_in(done: RunResult) -> dict[str, str]:
     }
 
 
-@pytest.mark.parametrize("name", READY)
+@pytest.mark.parametrize("name", SPECS)
 def test_nothing_that_is_found_is_given(name: str) -> None:
     """To four digits, as what students get is searched for answers; the note tells some of it."""
     _, done = ready(name)
@@ -177,7 +185,7 @@ def test_nothing_that_is_found_is_given(name: str) -> None:
     assert {*numbers_in(text(written(name)))} & {*found}
 
 
-@pytest.mark.parametrize("name", READY)
+@pytest.mark.parametrize("name", SPECS)
 def test_a_datum_is_known_by_what_it_is_and_speaks_of_no_table(name: str) -> None:
     """Sheets know it by these; places in the note are none of theirs."""
     _, done = ready(name)
