@@ -44,6 +44,7 @@ ROOM = Room(
             picture=Picture("the field of pressure, and along the axis of x beside Hertz"),
             studied=True,
             chapter="extras",
+            tells_data=True,
         ),
         Stage(
             "reliability",
@@ -51,6 +52,7 @@ ROOM = Room(
             asked=("reliability", "no life is asked for"),
             picture=Picture("reliability and density of failures over the time"),
             chapter="extras",
+            tells_data=True,
         ),
         Stage(
             "tie_down",
@@ -58,6 +60,7 @@ ROOM = Room(
             asked=("tie_down", "no load is tied down"),
             picture=Picture("forces of the ties over the inertia"),
             chapter="extras",
+            tells_data=True,
         ),
         Stage(
             "falling_ball",
@@ -66,12 +69,14 @@ ROOM = Room(
             picture=Picture("speed and way of the ball over the time"),
             studied=True,
             chapter="extras",
+            tells_data=True,
         ),
         Stage(
             "bearing",
             "speeds and frequencies of the defects of a bearing",
             asked=("bearing", "no bearing is asked for"),
             chapter="extras",
+            tells_data=True,
         ),
         Stage(
             "liner",
@@ -79,6 +84,7 @@ ROOM = Room(
             asked=("liner", "no cylinder liner"),
             picture=Picture("deflection, moment and stresses along the bore"),
             chapter="extras",
+            tells_data=True,
         ),
         Stage(
             "transloader",
@@ -87,6 +93,7 @@ ROOM = Room(
             moves=True,
             picture=Picture("speeds of the ways, loads by case, stresses of the parts"),
             chapter="extras",
+            tells_data=True,
         ),
     ),
     (

@@ -32,6 +32,7 @@ ROOM = Room(
             asked=("manipulator", "no arm is asked for"),
             picture=Picture("the path with points equally spaced in time, the arm, obstacles, the joints"),
             chapter="manipulator",
+            tells_data=True,
             moves=True,
         ),
     ),

@@ -24,7 +24,7 @@ from tmmcalc.report.formula.symbols import GREEK, NAME, canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Name
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Figure, Lexicon, Line, Listing, Paragraph, Place, Table
+from tmmcalc.report.manuscript import Block, Datum, Figure, Lexicon, Line, Listing, Paragraph, Place, Table
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.sheets.piece import Piece
 
@@ -214,13 +214,32 @@ def held(condition: str, sides: tuple[float, float], unit: str, *, holds: bool) 
 
 def quantities(caption: str, known: Mapping[str, Given], key: str = "", digits: int = DIGITS) -> Table:
     """A table of quantities: what each is, its symbol, unit and value."""
-    rows = []
+    return data_table(caption, data_of(known), key, digits)
+
+
+def data_of(known: Mapping[str, Given], what: str = "") -> Iterator[Datum]:
+    """Quantities as what is given; ``what`` stands before what each is."""
     for name, given in known.items():
-        unit, factor = printed_as(given.unit)
         assert isinstance(given.value, float)
-        shown = "°" if unit == "deg" else tr_unit(unit)
-        rows.append((given.meaning, f"${name}$", shown, cell(factor * given.value, digits)))
-    return Table(caption, (tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value")), tuple(rows), key)
+        yield Datum(f"{what}: {given.meaning}" if what else given.meaning, (name,), (given.value,), given.unit)
+
+
+def data_table(caption: str, data: Iterable[Block], key: str = "", digits: int = DIGITS) -> Table:
+    """The data among these blocks as a table: what each is, its symbols, unit, and values or words.
+
+    It has no column of units where none has one.
+    """
+    rows = []
+    for each in data:
+        if isinstance(each, Datum):
+            unit, factor = printed_as(each.unit)
+            values = "; ".join(cell(factor * value, digits) for value in each.values)
+            shown = "°" if unit == "deg" else tr_unit(unit)
+            rows.append((each.what, ", ".join(f"${name}$" for name in each.keys), shown, each.text or values))
+    head = tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value")
+    if not any(unit for _, _, unit, _ in rows):
+        return Table(caption, (*head[:2], head[3]), tuple((*row[:2], row[3]) for row in rows), key)
+    return Table(caption, head, tuple(rows), key)
 
 
 def drawn(caption: str, draw: Callable[[Drawing, Box], object], high: float, key: str) -> Figure:

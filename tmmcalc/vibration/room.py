@@ -38,6 +38,7 @@ ROOM = Room(
             moves=True,
             picture=Picture("modes, resonance curve, starts, paths of points"),
             chapter="vibration",
+            tells_data=True,
             studied=True,
         ),
         Stage(
@@ -47,6 +48,7 @@ ROOM = Room(
             moves=True,
             picture=Picture("mode shapes, Campbell diagram, path of the end"),
             chapter="vibration",
+            tells_data=True,
             studied=True,
         ),
     ),

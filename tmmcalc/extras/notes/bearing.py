@@ -12,8 +12,8 @@ from tmmcalc.extras.tables.tasks.bearing import to_bearing
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import lines, named, plainly, tabulated
+from tmmcalc.report.manuscript import Block, Datum, Heading, Lexicon, Paragraph, Place, Result
+from tmmcalc.report.telling import data_of, lines, named, plainly, tabulated
 
 MM = 1e3
 SIZES = ("D_m = (d_i + d_e)/2", "s = (d_e - d_i)/2")
@@ -30,9 +30,10 @@ def blocks(order: Order) -> Iterator[Block]:
     result: Bearing = order.results["bearing"]
     task, table = to_bearing(order.spec), order.spec.bearing
     assert table is not None
-    place = Place("", named(_quantities(result, task, table)))
+    known = _known(task, table)
+    place = Place("", named(known | _quantities(result)))
     yield Heading(tr("Rolling bearing"))
-    yield from given(place.lexicon, ["v", "D", *([] if table.speed is None else ["omega"]), *_OF_BEARING], "bearing")
+    yield from given(data_of(known), "bearing")
     yield Heading(tr("Speed and sizes"), 3)
     if table.speed is None:
         yield Paragraph(tr("The inner ring turns with the shaft of the wheel, the outer ring stands:"))
@@ -57,18 +58,47 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from (Result(name, place.lexicon[name]) for name in ("f_e", "f_i", "f_b", "f_c"))
 
 
-_OF_BEARING = ("d_i", "d_e", "d", "z", "phi")
+def data(order: Order) -> Iterator[Block]:
+    """How the bearing turns, its speed and sizes, the readings."""
+    task, table = to_bearing(order.spec), order.spec.bearing
+    assert table is not None
+    yield Paragraph(
+        tr(
+            "The inner ring of a rolling bearing turns with its shaft, the outer ring stands. The rolling bodies are "
+            "halfway between the rings and roll without slip."
+        )
+        if table.speed is not None
+        else tr(
+            "The inner ring of a rolling bearing turns with the shaft of a wheel, the outer ring stands. The rolling "
+            "bodies are halfway between the rings and roll without slip."
+        )
+    )
+    yield from data_of(_known(task, table))
+    for k, pair in enumerate(zip(task.peak, task.rms, strict=True), 1):
+        said = tr("reading {number} of the vibration: peak and root mean square", number=k)
+        yield Datum(said, ("A_p", "A_q"), pair)
 
 
-def _quantities(result: Bearing, task: BearingTask, table: BearingTable) -> Lexicon:
+def _known(task: BearingTask, table: BearingTable) -> Lexicon:
     found = {
-        "omega": Given(result.omega, "rad/s", tr("angular velocity of the shaft")),
-        "n": Given(result.turns, "1/s", tr("rotational frequency of the shaft")),
         "d_i": Given(MM * task.inner, "mm", tr("diameter of the inner ring")),
         "d_e": Given(MM * task.outer, "mm", tr("diameter of the outer ring")),
         "d": Given(MM * task.roller, "mm", tr("diameter of the rolling bodies")),
         "z": Given(float(task.count), "", tr("number of rolling bodies")),
         "phi": Given(math.degrees(task.angle), "deg", tr("contact angle")),
+    }
+    if table.speed is not None or table.wheel_speed is None or table.wheel_diameter is None:
+        return {"omega": Given(task.omega, "rad/s", tr("angular velocity of the shaft"))} | found
+    return {
+        "v": Given(table.wheel_speed, "m/s", tr("speed of the rim of the wheel")),
+        "D": Given(table.wheel_diameter, "m", tr("diameter of the wheel")),
+    } | found
+
+
+def _quantities(result: Bearing) -> Lexicon:
+    return {
+        "omega": Given(result.omega, "rad/s", tr("angular velocity of the shaft")),
+        "n": Given(result.turns, "1/s", tr("rotational frequency of the shaft")),
         "D_m": Given(2 * MM * result.mean_radius, "mm", tr("mean diameter of the bearing")),
         "s": Given(MM * result.width, "mm", tr("distance of the rings")),
         "v_i": Given(MM * result.raceway_speed, "mm/s", tr("speed of the inner ring at its diameter")),
@@ -77,10 +107,6 @@ def _quantities(result: Bearing, task: BearingTask, table: BearingTable) -> Lexi
         "f_i": Given(result.inner_race, "Hz", tr("frequency of a defect of the inner ring")),
         "f_b": Given(result.roller, "Hz", tr("rotational frequency of a rolling body")),
     }
-    if table.wheel_speed is not None and table.wheel_diameter is not None and table.speed is None:
-        found["v"] = Given(table.wheel_speed, "m/s", tr("speed of the rim of the wheel"))
-        found["D"] = Given(table.wheel_diameter, "m", tr("diameter of the wheel"))
-    return found
 
 
 def _crest(result: Bearing, task: BearingTask) -> Iterator[Block]:

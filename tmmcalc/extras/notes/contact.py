@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 
 import numpy as np
@@ -18,8 +18,8 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import FormulaError, read
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table, Verbatim
-from tmmcalc.report.telling import column, column_of, drawn, lines, named, numeral, plainly, tabulated
+from tmmcalc.report.manuscript import Block, Datum, Display, Heading, Lexicon, Paragraph, Place, Result, Table, Verbatim
+from tmmcalc.report.telling import column, column_of, data_of, drawn, lines, named, numeral, plainly, tabulated
 
 MM, MEGA = 1e3, 1e6  # formulas hold in N, mm, MPa
 MODULUS = "E^{*} = 1/((1 - nu_1**2)/E_1 + (1 - nu_2**2)/E_2)"
@@ -41,11 +41,11 @@ def blocks(order: Order) -> Iterator[Block]:
     result: Contact = order.results["contact"]
     task, table = to_contact(order.spec), order.spec.contact
     assert table is not None
-    lexicon = named(_quantities(result, task, table))
+    known = _known(task, table)
+    lexicon = named(_quantities(result, task) | known)
     place = Place("", lexicon)
     yield Heading(tr("Contact of two elastic bodies"))
-    names = ["P", "E^{*}"] if table.modulus is not None else ["P", "E_1", "E_2", "nu_1", "nu_2"]
-    yield from given(lexicon, [*names, "R_x", "R_y", "N", *([] if table.size is None else ["l"])], "contact")
+    yield from given(data_of(known), "contact")
     if table.modulus is None:
         yield Paragraph(tr("The composite modulus of elasticity of both bodies:"))
         yield from lines([MODULUS], [place])
@@ -59,11 +59,70 @@ def blocks(order: Order) -> Iterator[Block]:
     yield Result("delta", lexicon["delta"])
 
 
-def _quantities(result: Contact, task: ContactTask, table: ContactTable) -> Lexicon:
-    found = {
-        "P": Given(task.load, "N", tr("force that presses the bodies together")),
+def data(order: Order) -> Iterator[Block]:
+    """The bodies, what presses them together, the gap between them."""
+    task, table = to_contact(order.spec), order.spec.contact
+    assert table is not None
+    yield Paragraph(
+        tr(
+            "A force presses two elastic bodies together, without friction. Between the unloaded bodies, where they "
+            "touch at a point, is the gap $h = x**2/(2*R_x) + y**2/(2*R_y)$. A numerical solution has a grid of "
+            "equilateral triangles within a hexagon, whose pressures are linear between the nodes."
+        )
+        if task.radii is not None
+        else tr(
+            "A force presses two elastic bodies together, without friction. Between the unloaded bodies is the gap "
+            "$h$. A numerical solution has a grid of equilateral triangles within a hexagon, whose pressures are "
+            "linear between the nodes."
+        )
+    )
+    yield from data_of(_known(task, table))
+    if task.formula:
+        written = _readable(task.formula)
+        said = tr("gap of the unloaded bodies, all in m")
+        yield Datum(said, ("h",), text=task.formula if written is None else f"${written.partition(' = ')[2]}$")
+    if task.table is not None:
+        yield Datum(
+            tr("places of the given gap along $x$; between them runs a bicubic spline"), ("x",), _mm(task.table.x), "mm"
+        )
+        for y, row in zip(_mm(task.table.y), task.table.h, strict=True):
+            yield Datum(tr("gap at these places and at $y$ = {y} mm", y=f"${numeral(y)}$"), ("h",), _mm(row), "mm")
+
+
+def _mm(values: Sequence[float]) -> tuple[float, ...]:
+    return tuple(MM * each for each in values)
+
+
+def _readable(formula: str) -> str | None:
+    """The gap as a formula, if that can be written."""
+    try:
+        read(f"h = {formula}")
+    except FormulaError:
+        return None
+    return f"h = {formula}"
+
+
+def _known(task: ContactTask, table: ContactTable) -> Lexicon:
+    found = {"P": Given(task.load, "N", tr("force that presses the bodies together"))}
+    if table.modulus is not None:
+        found["E^{*}"] = Given(task.modulus / MEGA, "MPa", tr("composite modulus of elasticity"))
+    else:
+        for k, young in enumerate(table.young, 1):
+            found[f"E_{k}"] = Given(young / MEGA, "MPa", tr("modulus of elasticity of body {body}", body=k))
+        for k, poisson in enumerate(table.poisson, 1):
+            found[f"nu_{k}"] = Given(poisson, "", tr("Poisson's ratio of body {body}", body=k))
+    if task.radii is not None:
+        for axis, radius in zip("xy", task.radii, strict=True):
+            found[f"R_{axis}"] = Given(MM * radius, "mm", tr("relative radius in plane {plane}", plane=f"{axis}z"))
+    found["N"] = Given(float(task.cells), "", tr("steps of the grid from its middle to a corner"))
+    if task.size is not None:
+        found["l"] = Given(MM * task.size, "mm", tr("distance from the middle of the grid to a corner"))
+    return found
+
+
+def _quantities(result: Contact, task: ContactTask) -> Lexicon:
+    return {
         "E^{*}": Given(task.modulus / MEGA, "MPa", tr("composite modulus of elasticity")),
-        "N": Given(float(task.cells), "", tr("steps of the grid from its middle to a corner")),
         "l": Given(MM * result.step * task.cells, "mm", tr("distance from the middle of the grid to a corner")),
         "c": Given(MM * result.step, "mm", tr("step of the grid")),
         "n": Given(float(len(result.x)), "", tr("number of nodes")),
@@ -73,15 +132,6 @@ def _quantities(result: Contact, task: ContactTask, table: ContactTable) -> Lexi
         "p_{max}": Given(result.peak / MEGA, "MPa", tr("largest contact pressure")),
         "delta": Given(MM * result.approach, "mm", tr("approach of the bodies")),
     }
-    if table.modulus is None:
-        for k in (0, 1):
-            said = tr("modulus of elasticity of body {body}", body=k + 1)
-            found[f"E_{k + 1}"] = Given(table.young[k] / MEGA, "MPa", said)
-            found[f"nu_{k + 1}"] = Given(table.poisson[k], "", tr("Poisson's ratio of body {body}", body=k + 1))
-    if task.radii is not None:
-        for axis, radius in zip("xy", task.radii, strict=True):
-            found[f"R_{axis}"] = Given(MM * radius, "mm", tr("relative radius in plane {plane}", plane=f"{axis}z"))
-    return found
 
 
 def _hertz(found: Hertz, task: ContactTask, place: Place) -> Iterator[Block]:
@@ -160,11 +210,10 @@ def _gap(result: Contact, task: ContactTask) -> Iterator[Block]:
     settlement = settled(task, result)
     formulas = [PARABOLOID] if task.radii is not None else []
     if task.formula:
-        text = f"h = {task.formula}"
-        try:
-            read(text)
-            formulas = [text]
-        except FormulaError:
+        written = _readable(task.formula)
+        if written is not None:
+            formulas = [written]
+        else:
             yield Paragraph(tr("The gap of the unloaded bodies is given by this formula, in m:"))
             yield Verbatim(task.formula)
     elif task.table is not None:

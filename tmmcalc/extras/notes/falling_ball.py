@@ -20,8 +20,8 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import drawn, lines, named, plainly
+from tmmcalc.report.manuscript import Block, Datum, Display, Heading, Lexicon, Paragraph, Place, Result
+from tmmcalc.report.telling import data_of, drawn, lines, named, plainly
 
 PLAIN = 300.0  # argument up to which Bessel functions are told as they are; of larger ones over their exponentials
 FADED = "*exp(-2*(eta - <b>))"
@@ -53,10 +53,10 @@ def blocks(order: Order) -> Iterator[Block]:
     result: Ball = order.results["falling_ball"]
     task = to_ball(order.spec)
     fall = fall_of(task)
-    lexicon = named(_quantities(result, task, fall))
+    known = _known(task)
+    lexicon = named(known | _quantities(result, fall))
     yield Heading(tr("Fall of a ball whose radius decreases"))
-    names = ("r_0", "alpha", "lambda", "g", "v_0", "V")
-    yield from given(lexicon, names, "ball")
+    yield from given(data_of(known), "ball")
     yield Heading(tr("Equation of motion"), 3)
     yield from _equation(task, fall, Place("", lexicon))
     if not fall.drive and not fall.initial:
@@ -80,6 +80,34 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _course(result)
 
 
+def data(order: Order) -> Iterator[Block]:
+    """The ball, what moves it, the times that are asked for."""
+    task = to_ball(order.spec)
+    yield Paragraph(
+        tr(
+            "A ball falls, its radius decreases as $r = r_0*exp(-lambda*t)$. The drag decelerates it by "
+            "$alpha*v**2/r$. The mass that separates accelerates or decelerates it by $3*lambda*V$. The speed $v$ "
+            "is positive downwards, so is the way $S$ from the beginning."
+        )
+        if task.relative != 0
+        else tr(
+            "A ball falls, its radius decreases as $r = r_0*exp(-lambda*t)$. The drag decelerates it by "
+            "$alpha*v**2/r$. The speed $v$ is positive downwards, so is the way $S$ from the beginning."
+        )
+    )
+    yield from data_of(_known(task))
+    if task.relative is None:
+        said = tr("relative speed of the mass that separates")
+        yield Datum(said, ("V",), text=tr("that of the ball, $V = v$"))
+    if task.relative != 0:
+        said = tr("reaction of the mass that separates")
+        yield Datum(said, text=tr("it accelerates the fall") if task.sign > 0 else tr("it brakes the fall"))
+    if task.times:
+        yield Datum(tr("times at which speed and way are sought"), ("t",), task.times, "s")
+    if task.duration is not None:
+        yield Datum(tr("time up to which the motion is sought"), ("t_e",), (task.duration,), "s")
+
+
 def _word(task: BallTask) -> str:
     """The driving acceleration in formulas: where the reaction has no part in it that of free fall itself."""
     return "g_1" if task.relative else "g"
@@ -89,20 +117,25 @@ def _sign(task: BallTask) -> str:
     return "+" if task.sign > 0 else "-"
 
 
-def _quantities(result: Ball, task: BallTask, fall: Fall) -> Lexicon:
+def _known(task: BallTask) -> Lexicon:
     found = {
         "r_0": Given(task.radius, "m", tr("radius at the beginning")),
         "alpha": Given(task.drag, "", tr("coefficient of drag")),
         "lambda": Given(task.decay, "1/s", tr("decay of the radius")),
         "g": Given(task.gravity, "m/s^2", tr("free-fall acceleration")),
         "v_0": Given(task.initial, "m/s", tr("speed at the beginning")),
-        "g_1": Given(result.drive, "m/s^2", tr("driving acceleration")),
-        "eta_0": Given(result.argument, "", tr("argument of the Bessel functions at the beginning")),
-        "k": Given(drag_ratio(fall), "", tr("ratio of the drag at the beginning")),
     }
     if task.relative:
         found["V"] = Given(task.relative, "m/s", tr("relative speed of the mass that separates"))
     return found
+
+
+def _quantities(result: Ball, fall: Fall) -> Lexicon:
+    return {
+        "g_1": Given(result.drive, "m/s^2", tr("driving acceleration")),
+        "eta_0": Given(result.argument, "", tr("argument of the Bessel functions at the beginning")),
+        "k": Given(drag_ratio(fall), "", tr("ratio of the drag at the beginning")),
+    }
 
 
 def _equation(task: BallTask, fall: Fall, place: Place) -> Iterator[Block]:

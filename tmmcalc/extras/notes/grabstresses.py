@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 
-from tmmcalc.extras.loadcases import CASES, LOADS, MECHANISMS, OF_WEIGHT
-from tmmcalc.extras.pictures.transloader import draw_stresses, meaning_of
+from tmmcalc.extras.loadcases import CASES, LOADS, OF_WEIGHT
+from tmmcalc.extras.notes.grabdata import KILO, MEGA, influence, kind_of, lettered, of_part
+from tmmcalc.extras.pictures.transloader import draw_stresses
 from tmmcalc.extras.transloader import (
     Check,
     Part,
@@ -15,24 +16,11 @@ from tmmcalc.extras.transloader import (
 )
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name, tr_unit
-from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import drawn, lines, named, numeral
+from tmmcalc.report.manuscript import Block, Datum, Lexicon, Paragraph, Place, Result, Table
+from tmmcalc.report.telling import cell, drawn, lines, named, numeral
 
-KILO, MEGA = 1e3, 1e6
 MARGIN = {"sum": "K_m = K_1 + K_2", "product": "K_m = K_1*K_2"}
 BAR, FRAME = 9.0, 32.0  # heights of a stress and of what is around all [mm]
-LETTERS = {  # of the loads
-    "dead_weight": "G",
-    "rated_load": "G_Q",
-    "inertia": "P",
-    "wind": "W_1",
-    "equivalent_wind": "W_2",
-    "track": "F_1",
-    "drive": "F_2",
-    "shock": "F_3",
-    "hurricane": "W_3",
-    "seismic": "F_4",
-}
 
 
 def stresses(result: Transloader, task: TransloaderTask) -> Iterator[Block]:
@@ -79,35 +67,30 @@ def _is_of(check: Check, part: Part, letter: str) -> bool:
 
 def _parts(parts: Sequence[Part]) -> Table:
     """Where each part belongs, how it is made, its section and limit stresses."""
-    duties = [part.duty or MECHANISMS[part.mechanism].duty for part in parts]
-    rows = (
-        (tr("its mechanism"), *(tr_name(part.mechanism) for part in parts)),
-        (tr("duty"), *map(tr_name, duties)),
-        (tr("made"), *(tr_name(part.making) for part in parts)),
-        (f"$A$, {tr_unit('cm^2')}", *(f"${numeral(1e4 * part.area)}$" for part in parts)),
-        (f"$sigma_0$, {tr_unit('MPa')}, {_kind('strength')}", *(_megapascals(part.strength) for part in parts)),
-        (f"$sigma_0$, {tr_unit('MPa')}, {_kind('endurance')}", *(_megapascals(part.endurance) for part in parts)),
+    return _beside(
+        tr("Parts whose stresses are looked at"), tr("Part"), parts, map(of_part, parts), "transloader_parts"
     )
-    head = tr("Part"), *(tr_name(part.name) for part in parts)
-    return Table(tr("Parts whose stresses are looked at"), head, rows, "transloader_parts")
-
-
-def _megapascals(stress: float | None) -> str:
-    return "–" if stress is None else f"${numeral(stress / MEGA)}$"
 
 
 def _influence(parts: Sequence[Part]) -> Table:
     """Force in each part over each load."""
-    used = [name for name in LOADS if any(name in dict(part.influence) for part in parts)]
-    rows = tuple(
-        (
-            f"{meaning_of(name)}, ${LETTERS[name]}$",
-            *(f"${numeral(dict(part.influence)[name])}$" if name in dict(part.influence) else "–" for part in parts),
-        )
-        for name in used
-    )
-    head = tr("Load"), *(tr_name(part.name) for part in parts)
-    return Table(tr("Force in a part over each load"), head, rows, "transloader_influence")
+    caption, order = tr("Force in a part over each load"), list(map(lettered, LOADS))
+    return _beside(caption, tr("Load"), parts, map(influence, parts), "transloader_influence", order)
+
+
+def _beside(
+    caption: str, head: str, parts: Sequence[Part], data: Iterable[Iterable[Datum]], key: str, order: Sequence[str] = ()
+) -> Table:
+    """What is given of parts, a column each; rows in the order in which they come, or in one of what they are."""
+    columns = [{each.what: each for each in own} for own in data]
+    found = {what: each for column in columns for what, each in column.items()}
+    rows = []
+    for what in [what for what in order if what in found] or found:
+        names = "".join(f", ${name}$" for name in found[what].keys)
+        unit = f", {tr_unit(found[what].unit)}" if found[what].unit else ""
+        cells = (column[what].text or cell(column[what].values[0]) if what in column else "–" for column in columns)
+        rows.append((f"{what}{names}{unit}", *cells))
+    return Table(caption, (head, *(tr_name(part.name) for part in parts)), tuple(rows), key)
 
 
 def _part(part: Part, checks: Sequence[Check], result: Transloader) -> Iterator[Block]:
@@ -141,7 +124,7 @@ def _part(part: Part, checks: Sequence[Check], result: Transloader) -> Iterator[
     yield from lines([MARGIN[result.factors]], [_like(same, part, kind="") for same in _alike(checks, "importance")])
     yield from lines(
         ["sigma_a = sigma_0/(K_m*K_n)"],
-        [_like(same, part, kind=_kind(same[0].kind)) for same in _alike(checks, "importance", "kind")],
+        [_like(same, part, kind=kind_of(same[0].kind)) for same in _alike(checks, "importance", "kind")],
     )
 
 
@@ -162,10 +145,6 @@ def _like(checks: Sequence[Check], part: Part, *, kind: str) -> Place:
     if kind and part.endurance is not None:
         said += f", {kind}"
     return Place(said, named(_of_part(part, checks[0])))
-
-
-def _kind(kind: str) -> str:
-    return tr("endurance") if kind == "endurance" else tr("static strength")
 
 
 def _of_part(part: Part, check: Check) -> Lexicon:
@@ -191,7 +170,7 @@ def _checked(result: Transloader) -> Table:
     rows = tuple(
         (
             tr_name(each.part),
-            f"{each.case}, {_kind(each.kind)}" if each.part in both and each.case == "A" else each.case,
+            f"{each.case}, {kind_of(each.kind)}" if each.part in both and each.case == "A" else each.case,
             *(f"${numeral(value)}$" for value in (each.stress / MEGA, each.allowed / MEGA, each.other / MEGA)),
             f"${numeral(100 * each.use, 4)}$",
             tr("yes") if each.holds else tr("no"),
@@ -210,7 +189,7 @@ def _worst(checks: Sequence[Check]) -> Iterator[Result]:
         worst = max(same, key=lambda each: each.use)
         for check in same:
             if check is worst or not check.holds:
-                values = {"part": tr_name(check.part), "case": check.case, "kind": _kind(check.kind)}
+                values = {"part": tr_name(check.part), "case": check.case, "kind": kind_of(check.kind)}
                 given_ = Given(check.stress / MEGA, "MPa", tr("stress of the part"))
                 allowed = max(check.allowed, check.stress) if check.holds else check.allowed
                 said = tr("{part}, case {case}, {kind}", **values)

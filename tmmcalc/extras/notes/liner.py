@@ -20,8 +20,8 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import drawn, held, lines, named, numeral, plainly
+from tmmcalc.report.manuscript import Block, Datum, Display, Heading, Lexicon, Paragraph, Place, Result, Table
+from tmmcalc.report.telling import data_of, drawn, held, lines, named, numeral, plainly
 
 MM, KILO, MEGA = 1e3, 1e-3, 1e6  # formulas hold in N, mm, MPa
 SHELL = ("alpha_s = (3*(1 - mu**2)/(r_1**2*h**2))**(1/4)", "D_s = E*h**3/(12*(1 - mu**2))")
@@ -51,7 +51,6 @@ STRESSES = (
 )
 GONE = 2.5e-10  # of the waves from the ring: smaller ones are nothing, several of them together below `EXACT`
 FIGURE = 150.0  # height [mm]
-GIVEN = ("r_1", "h", "r_2", "b", "L", "E", "mu", "p", "q", "m", "p_{max}", "D_h", "e", "kappa", "sigma_P")
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -59,12 +58,11 @@ def blocks(order: Order) -> Iterator[Block]:
     result: Liner = order.results["liner"]
     task = to_liner(order.spec)
     shell = shell_of(task)
-    lexicon = named(_quantities(result, task, shell))
+    known = _known(task)
+    lexicon = named(_quantities(result, task, shell) | known)
     place = Place("", lexicon)
     yield Heading(tr("Cylinder liner"))
-    loads = {"q": task.load, "m": task.moment, "p": task.pressure}
-    names = [name for name in GIVEN if loads.get(name, 1.0)]
-    yield from given(lexicon, names, "liner")
+    yield from given(data_of(known), "liner")
     yield Heading(tr("Shell and ring"), 3)
     yield Paragraph(
         tr(
@@ -97,22 +95,70 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _course(result)
 
 
-def _quantities(result: Liner, task: LinerTask, shell: Shell) -> Lexicon:
-    a, b, c, g = (MM * float(each) for each in shell.waves)
-    wave, far = tr("constant of the waves from the ring"), tr("constant of the waves from the far end")
+def data(order: Order) -> Iterator[Block]:
+    """The ring and the shell, how they hang together, their loads."""
+    task = to_liner(order.spec)
+    yield Paragraph(
+        tr(
+            "The collar of a cylinder liner is a ring, the cylinder below it a thin shell. Forces and moments are "
+            "those on a unit of the circumference of radius $r_1$; the axis $x$ runs along the bore from the ring, "
+            "the deflection $w$ and the force $q$ are positive outwards, the moment $m$ towards larger $w'$."
+        )
+    )
+    if task.clamp is not None:
+        yield Paragraph(
+            tr(
+                "The collar is clamped by $kappa$ times the force of the gas on the area of diameter $D_h$: the head "
+                "presses on it, the block carries it by the arm $e$ farther from the axis, which gives the moment $m$."
+            )
+        )
+    yield from data_of(_known(task))
+    far = tr("free") if task.length is not None else tr("so far that it is not felt at the ring")
+    yield Datum(tr("far end of the shell"), text=far)
+    follows = tr("its edge, which the turn of the ring moves too") if task.continuity == "edge" else tr("its centre")
+    yield Datum(tr("what of the ring the shell follows"), text=follows)
+
+
+def _known(task: LinerTask) -> Lexicon:
+    """What is given, without loads that are nothing."""
     found = {
         "r_1": Given(MM * task.radius, "mm", tr("radius of the shell, at which the ring joins it")),
         "h": Given(MM * task.thickness, "mm", tr("wall of the shell")),
         "r_2": Given(MM * task.outer, "mm", tr("outer radius of the ring")),
         "b": Given(MM * task.width, "mm", tr("width of the ring along the bore")),
-        "E": Given(task.young / MEGA, "MPa", tr("modulus of elasticity of the liner")),
-        "mu": Given(task.poisson, "", tr("Poisson's ratio")),
+    }
+    if task.length is not None:
+        found["L"] = Given(MM * task.length, "mm", tr("length of the shell"))
+    found["E"] = Given(task.young / MEGA, "MPa", tr("modulus of elasticity of the liner"))
+    found["mu"] = Given(task.poisson, "", tr("Poisson's ratio"))
+    found |= {name: each for name, each in _loads(task).items() if each.value}
+    clamp = task.clamp
+    if clamp is not None:
+        found["p_{max}"] = Given(clamp.pressure / MEGA, "MPa", tr("largest pressure of the gas"))
+        found["D_h"] = Given(MM * clamp.bore, "mm", tr("diameter of the area that the gas acts on"))
+        found["e"] = Given(MM * clamp.arm, "mm", tr("arm of the forces of the block and of the head on the collar"))
+        found["kappa"] = Given(clamp.factor, "", tr("force that holds the collar over that of the gas"))
+    if task.allowed is not None:
+        found["sigma_P"] = Given(task.allowed / MEGA, "MPa", tr("allowed equivalent stress"))
+    return found
+
+
+def _loads(task: LinerTask) -> Lexicon:
+    return {
+        "p": Given(task.pressure / MEGA, "MPa", tr("pressure in the shell below the ring")),
+        "q": Given(KILO * task.load, "N/mm", tr("force on the ring outwards")),
+        "m": Given(task.moment, "N", tr("moment on the ring")),
+    }
+
+
+def _quantities(result: Liner, task: LinerTask, shell: Shell) -> Lexicon:
+    a, b, c, g = (MM * float(each) for each in shell.waves)
+    wave, far = tr("constant of the waves from the ring"), tr("constant of the waves from the far end")
+    found = _loads(task) | {
         "alpha_s": Given(result.alpha / MM, "1/mm", tr("parameter of the shell")),
         "D_s": Given(MM * result.stiffness, "N*mm", tr("bending stiffness of the shell")),
         "F'": Given(MM**2 * result.ring_area, "mm^2", tr("section of the ring")),
         "m": Given(result.moment, "N", tr("moment on the ring")),
-        "q": Given(KILO * task.load, "N/mm", tr("force on the ring outwards")),
-        "p": Given(task.pressure / MEGA, "MPa", tr("pressure in the shell below the ring")),
         "w_p": Given(MM * float(shell.uniform), "mm", tr("deflection by the pressure alone")),
         "A": Given(a, "mm", wave),
         "B": Given(b, "mm", wave),
@@ -125,17 +171,8 @@ def _quantities(result: Liner, task: LinerTask, shell: Shell) -> Lexicon:
         "u": Given(MM * result.centre, "mm", tr("displacement of the centre of the ring outwards")),
         "sigma_k": Given(result.ring_stress / MEGA, "MPa", tr("largest stress along the circumference of the ring")),
     }
-    if shell.span is not None and task.length is not None:
-        found["L"] = Given(MM * task.length, "mm", tr("length of the shell"))
+    if shell.span is not None:
         found["lambda"] = Given(float(shell.span), "", tr("reduced length of the shell"))
-    clamp = task.clamp
-    if clamp is not None:
-        found["p_{max}"] = Given(clamp.pressure / MEGA, "MPa", tr("largest pressure of the gas"))
-        found["D_h"] = Given(MM * clamp.bore, "mm", tr("diameter of the area that the gas acts on"))
-        found["e"] = Given(MM * clamp.arm, "mm", tr("arm of the forces of the block and of the head on the collar"))
-        found["kappa"] = Given(clamp.factor, "", tr("force that holds the collar over that of the gas"))
-    if task.allowed is not None:
-        found["sigma_P"] = Given(task.allowed / MEGA, "MPa", tr("allowed equivalent stress"))
     return found
 
 

@@ -26,8 +26,8 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import drawn, lines, named, numeral, plainly, tabulated
+from tmmcalc.report.manuscript import Block, Datum, Display, Heading, Lexicon, Paragraph, Place, Result
+from tmmcalc.report.telling import data_of, drawn, lines, named, numeral, plainly, tabulated
 
 READINGS = ("a = (n*x_{(1)} - x_{(n)})/(n - 1)", "b = (n*x_{(n)} - x_{(1)})/(n - 1)")
 CLIPPED = "a = max((n*x_{(1)} - x_{(n)})/(n - 1), 0)"
@@ -49,19 +49,12 @@ def blocks(order: Order) -> Iterator[Block]:
     task, table = to_reliability(order.spec), order.spec.reliability
     assert table is not None
     law = Law(result.low, result.high, task.rate, result.strength, result.decay)
-    lexicon = named(_quantities(result, task, table))
+    known = _known(task, table)
+    lexicon = named(_quantities(result, task, table) | known)
     place = Place("", lexicon)
     yield Heading(tr("Reliability under shock loads"))
-    yield Paragraph(
-        tr(
-            "The strength of the product falls as $x = r*exp(-beta*t)$. Shocks strike it at a constant rate $h$, "
-            "their loads are uniform between $a$ and $b$; a shock above the strength is a failure. Times and loads "
-            "are in the units of the input data, rates in one over the unit of time."
-        )
-    )
-    loads = ["a", "b"] if table.load is not None else ["n"]
-    known = ["m", "t_{(1)}", "T"] if task.test is not None else ["r", "beta"]
-    yield from given(lexicon, [*loads, "h", *known], "reliability")
+    yield _shocks()
+    yield from given(data_of(known), "reliability")
     if table.readings is not None:
         yield from _readings(table.readings, place)
     if task.test is not None:
@@ -87,11 +80,59 @@ def blocks(order: Order) -> Iterator[Block]:
         yield Result("t_0", lexicon["t_0"])
 
 
+def data(order: Order) -> Iterator[Block]:
+    """How the product fails, its loads, its strength or a test, the times that are asked for."""
+    task, table = to_reliability(order.spec), order.spec.reliability
+    assert table is not None
+    yield _shocks()
+    if task.test is not None:
+        yield Paragraph(
+            tr(
+                "The strength is estimated by a test: its shortest life is the most probable one of the shortest lives "
+                "of $m$ items, its mean life that of the product."
+            )
+        )
+    yield from data_of(_known(task, table))
+    if table.readings is not None:
+        said = tr("loads of single shocks, by which the uniform load is estimated")
+        yield Datum(said, ("x",), tuple(table.readings))
+    if task.times:
+        yield Datum(tr("times at which the reliability is sought"), ("t",), task.times)
+
+
+def _shocks() -> Paragraph:
+    return Paragraph(
+        tr(
+            "The strength of the product falls as $x = r*exp(-beta*t)$. Shocks strike it at a constant rate $h$, "
+            "their loads are uniform between $a$ and $b$; a shock above the strength is a failure. Times and loads "
+            "are in the units of the input data, rates in one over the unit of time."
+        )
+    )
+
+
+def _known(task: ReliabilityTask, table: ReliabilityTable) -> Lexicon:
+    if table.readings is not None:
+        found = {"n": Given(float(len(table.readings)), "", tr("number of readings of the load"))}
+    else:
+        found = {
+            "a": Given(task.low, "", tr("least load of a shock")),
+            "b": Given(task.high, "", tr("largest load of a shock")),
+        }
+    found["h"] = Given(task.rate, "", tr("rate of shocks"))
+    if task.test is not None:
+        found["m"] = Given(float(task.test.items), "", tr("number of items of the test"))
+        found["t_{(1)}"] = Given(task.test.least, "", tr("shortest life of the test"))
+        found["T"] = Given(task.test.mean, "", tr("mean life"))
+    elif task.strength is not None and task.decay is not None:
+        found["r"] = Given(task.strength, "", tr("strength at the beginning"))
+        found["beta"] = Given(task.decay, "", tr("decay of the strength"))
+    return found
+
+
 def _quantities(result: Reliability, task: ReliabilityTask, table: ReliabilityTable) -> Lexicon:
     found = {
         "a": Given(result.low, "", tr("least load of a shock")),
         "b": Given(result.high, "", tr("largest load of a shock")),
-        "h": Given(task.rate, "", tr("rate of shocks")),
         "r": Given(result.strength, "", tr("strength at the beginning")),
         "beta": Given(result.decay, "", tr("decay of the strength")),
         "t_0": Given(result.threshold, "", tr("time up to which nothing fails")),
@@ -99,15 +140,12 @@ def _quantities(result: Reliability, task: ReliabilityTask, table: ReliabilityTa
         "T": Given(result.mean, "", tr("mean life")),
     }
     if table.readings is not None:
-        found["n"] = Given(float(len(table.readings)), "", tr("number of readings of the load"))
         found["x_{(1)}"] = Given(min(table.readings), "", tr("least reading"))
         found["x_{(n)}"] = Given(max(table.readings), "", tr("largest reading"))
     if task.test is not None:
-        found["m"] = Given(float(task.test.items), "", tr("number of items of the test"))
         margin = load_margin(task, task.test, result.decay)
         found["w"] = Given(margin, "", tr("auxiliary quantity of the strength"))
         found["x_m"] = Given(_weakest(result, task.test), "", tr("strength at the shortest life"))
-        found["t_{(1)}"] = Given(task.test.least, "", tr("shortest life of the test"))
     if result.floor is not None:
         found["t_a"] = Given(result.floor, "", tr("time from which on every shock is a failure"))
     return found

@@ -14,7 +14,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import drawn, held, lines, named, number_of, numeral
+from tmmcalc.report.telling import data_of, drawn, held, lines, named, number_of, numeral
 
 KILO, MEGA = 1e-3, 1e6
 PRELOAD = "P_0 = M/(d_2*tan(gamma + rho'))"
@@ -37,25 +37,17 @@ TIGHT = "k_5 = (4*(A*sigma_y - P_0)*cos(alpha)*cos(beta) + F_0)/F_1"
 SLACK = "k_5 = (2*A*sigma_y*(mu*sin(alpha) + cos(alpha)*cos(beta)) - mu*V + F_0)/F_1"
 TIPS = "k_6 = 2*(G_2*a + V*L)/(G_2*D)"
 FIGURE = 110.0  # height [mm]
-OF_LOAD = ("G_2", "k", "mu", "alpha", "beta")
-OF_TIES = ("P_0", "M", "d_2", "gamma", "rho'", "A", "sigma_y")
-OF_SUPPORT = ("G_o", "mu_s", "L", "a", "b", "D")
 
 
 def blocks(order: Order) -> Iterator[Block]:
     """Loads, forces of the ties by both ways, their stress, the thresholds, the course over the inertia."""
     result: TieDown = order.results["tie_down"]
     task = to_tie_down(order.spec)
-    place = Place("", named(_quantities(result, task)))
+    known = _known(task)
+    place = Place("", named(known | _quantities(result, task)))
     yield Heading(tr("Ties of a load"))
-    yield Paragraph(
-        tr(
-            "Four ties hold the load, two along each direction of the way. The inertia force of the vehicle stretches "
-            "two of them and slackens the others."
-        )
-    )
-    names = [name for name in (*OF_LOAD, *OF_TIES, *OF_SUPPORT) if name != "P_0" or task.thread is None]
-    yield from given(place.lexicon, names, "tie_down")
+    yield _ties()
+    yield from given(data_of(known), "tie_down")
     yield Heading(tr("Forces on the load"), 3)
     if task.thread is not None:
         yield Paragraph(tr("The thread, right-handed at one end and left-handed at the other, tightens a tie to"))
@@ -80,14 +72,65 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _course(result)
 
 
-def _quantities(result: TieDown, task: TieDownTask) -> Lexicon:
-    at, angle = result.thresholds, math.degrees
+def data(order: Order) -> Iterator[Block]:
+    """How the load is held, the load, its ties and its support."""
+    task = to_tie_down(order.spec)
+    yield _ties()
+    if task.thread is not None:
+        yield Paragraph(tr("The thread of a tie is right-handed at one end and left-handed at the other."))
+    if task.support is not None:
+        yield Paragraph(
+            tr(
+                "The load stands on a fixed cradle, which carries $G_2*a/L$ of its weight, and on a sliding support, "
+                "which carries $G_2*b/L$; the inertia force acts by $D/2$ above them and presses the support by "
+                "$k*G_2*D/(2*L)$ more. The ties press the load on the cradle alone."
+            )
+        )
+    yield from data_of(_known(task))
+
+
+def _ties() -> Paragraph:
+    return Paragraph(
+        tr(
+            "Four ties hold the load, two along each direction of the way. The inertia force of the vehicle stretches "
+            "two of them and slackens the others."
+        )
+    )
+
+
+def _known(task: TieDownTask) -> Lexicon:
+    angle, thread, support = math.degrees, task.thread, task.support
     found = {
         "G_2": Given(task.weight, "N", tr("weight of the load")),
         "k": Given(task.factor, "", tr("inertia force over the weight")),
         "mu": Given(task.friction, "", tr("coefficient of friction of the load on its cradle")),
         "alpha": Given(angle(task.elevation), "deg", tr("angle of the ties above the floor")),
         "beta": Given(angle(task.plan), "deg", tr("angle of the ties in plan from the way")),
+    }
+    if thread is None:
+        found["P_0"] = Given(task.preload, "N", tr("preload of a tie"))
+    else:
+        found["M"] = Given(thread.moment, "N*m", tr("moment by which the thread is tightened"))
+        found["d_2"] = Given(thread.diameter, "m", tr("mean diameter of the thread"))
+        found["gamma"] = Given(angle(thread.lead), "deg", tr("lead angle of the thread"))
+        found["rho'"] = Given(angle(thread.friction_angle), "deg", tr("reduced angle of friction of the thread"))
+    if task.section is not None:
+        found["A"] = Given(1e6 * task.section, "mm^2", tr("section of a tie"))
+    if task.strength is not None:
+        found["sigma_y"] = Given(task.strength / MEGA, "MPa", tr("yield stress of a tie"))
+    if support is not None:
+        found["G_o"] = Given(support.weight, "N", tr("weight of the sliding support"))
+        found["mu_s"] = Given(support.friction, "", tr("coefficient of friction of the sliding support"))
+        found["L"] = Given(support.base, "m", tr("distance of cradle and support"))
+        found["a"] = Given(support.cradle_arm, "m", tr("arm of the load that the cradle carries"))
+        found["b"] = Given(support.arm, "m", tr("arm of the load that the support carries"))
+        found["D"] = Given(support.diameter, "m", tr("twice the height of the inertia force above the supports"))
+    return found
+
+
+def _quantities(result: TieDown, task: TieDownTask) -> Lexicon:
+    at, angle = result.thresholds, math.degrees
+    found = {
         "P_0": Given(result.preload, "N", tr("preload of a tie")),
         "V": Given(result.vertical, "N", tr("vertical load of the ties")),
         "F": Given(result.push, "N", tr("force that moves the load")),
@@ -105,26 +148,8 @@ def _quantities(result: TieDown, task: TieDownTask) -> Lexicon:
     held, rise = unheld(task)
     found["F_0"] = Given(float(held), "N", tr("force that friction holds"))
     found["F_1"] = Given(float(rise), "N", tr("growth of the force that friction does not hold"))
-    if task.thread is not None:
-        thread = task.thread
-        found["M"] = Given(thread.moment, "N*m", tr("moment by which the thread is tightened"))
-        found["d_2"] = Given(thread.diameter, "m", tr("mean diameter of the thread"))
-        found["gamma"] = Given(angle(thread.lead), "deg", tr("lead angle of the thread"))
-        found["rho'"] = Given(angle(thread.friction_angle), "deg", tr("reduced angle of friction of the thread"))
-    if task.support is not None:
-        support = task.support
-        found["G_o"] = Given(support.weight, "N", tr("weight of the sliding support"))
-        found["mu_s"] = Given(support.friction, "", tr("coefficient of friction of the sliding support"))
-        found["L"] = Given(support.base, "m", tr("distance of cradle and support"))
-        found["a"] = Given(support.cradle_arm, "m", tr("arm of the load that the cradle carries"))
-        found["b"] = Given(support.arm, "m", tr("arm of the load that the support carries"))
-        found["D"] = Given(support.diameter, "m", tr("twice the height of the inertia force above the supports"))
-    if task.section is not None:
-        found["A"] = Given(1e6 * task.section, "mm^2", tr("section of a tie"))
-        if result.stress is not None:
-            found["sigma"] = Given(result.stress / MEGA, "MPa", tr("stress of a stretched tie"))
-    if task.strength is not None:
-        found["sigma_y"] = Given(task.strength / MEGA, "MPa", tr("yield stress of a tie"))
+    if result.stress is not None:
+        found["sigma"] = Given(result.stress / MEGA, "MPa", tr("stress of a stretched tie"))
     if result.safety is not None:
         found["n_y"] = Given(result.safety, "", tr("safety factor against yielding"))
     return found

@@ -6,17 +6,16 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 
 from tmmcalc.extras.loadcases import CASES, PARTS_OF_MASS, SERIES
-from tmmcalc.extras.notes.grabstresses import KILO, LETTERS, stresses
+from tmmcalc.extras.notes.grabdata import KILO, LETTERS, hoist_way, sizes, trolley_way, usual_speed, whole, wind_data
+from tmmcalc.extras.notes.grabstresses import stresses
 from tmmcalc.extras.notes.told import given
 from tmmcalc.extras.pictures.transloader import draw_ways, meaning_of
 from tmmcalc.extras.tables.tasks.transloader import to_transloader
 from tmmcalc.extras.transloader import (
     HOIST,
-    HOIST_PART,
     MINUTE,
     SAME,
     TROLLEY,
-    TROLLEY_PART,
     USUAL_SPAN,
     Drive,
     Limit,
@@ -29,7 +28,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Listing, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import drawn, lines, named, numeral, plainly
+from tmmcalc.report.telling import data_of, drawn, lines, named, numeral, plainly
 
 PEAK = "v_{p<i>} = sqrt(<L>*j_<i>)"
 TIMES = {  # whether the speed is reached
@@ -48,7 +47,7 @@ def blocks(order: Order) -> Iterator[Block]:
     task = to_transloader(order.spec)
     lexicon = named(_quantities(result, task))
     yield Heading(tr("Grab transloader"))
-    yield from given(lexicon, GIVEN, "transloader")
+    yield from given(data_of(sizes(task)), "transloader")
     nearest = min(SERIES, key=lambda each: abs(KILO * each - task.capacity))
     if abs(KILO * nearest - task.capacity) > SAME * task.capacity:
         values = {"value": plainly(task.capacity / KILO), "nearest": plainly(nearest)}
@@ -73,22 +72,13 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from stresses(result, task)
 
 
-GIVEN = ("Q", "m", "g", "L", "f", "v_b", "v_l")
+def data(order: Order) -> Iterator[Block]:
+    """The transloader, its ways, its loads, its parts."""
+    yield from whole(to_transloader(order.spec))
 
 
 def _quantities(result: Transloader, task: TransloaderTask) -> Lexicon:
-    found = {
-        "Q": Given(task.capacity / KILO, "t", tr("rated capacity")),
-        "g": Given(task.gravity, "m/s^2", tr("free-fall acceleration")),
-    }
-    sizes = (
-        ("m", task.mass, "t", 1 / KILO, tr("mass of the whole transloader")),
-        ("L", task.span, "m", 1.0, tr("span of the bridge")),
-        ("f", task.deflection, "mm", KILO, tr("deflection of the bridge")),
-        ("v_b", task.bridge_speed, "m/min", MINUTE, tr("speed of the bridge")),
-        ("v_l", task.lowering, "m/min", MINUTE, tr("speed of lowering")),
-    )
-    found |= {name: Given(factor * value, unit, said) for name, value, unit, factor, said in sizes if value is not None}
+    found = sizes(task)
     masses = zip(
         ("m_c", "m_m", "m_e"),
         result.masses,
@@ -119,8 +109,8 @@ def _speeds(result: Transloader, task: TransloaderTask) -> Iterator[Block]:
         length = "L_0" if trolley else "H"
         i = "1" if trolley else "2"
         words = {"L": length, "i": i}
-        names = [length, f"j_{i}", *([f"v_{i}"] if way.speed is not None else [])]
-        yield from given(lexicon, names, f"transloader_{drive.what}", caption)
+        known = trolley_way(way) if trolley else hoist_way(way)
+        yield from given(data_of(known), f"transloader_{drive.what}", caption)
         yield from lines([PEAK], [place], words)
         yield from _usual(drive, way, place)
         yield from lines([TIMES[drive.speed <= drive.peak], SHORTEST], [place], words)
@@ -148,11 +138,11 @@ def _usual(drive: Drive, way: Way, place: Place) -> Iterator[Block]:
     if way.speed is not None:
         return
     trolley = drive.what == "trolley"
-    part, (_, most) = (TROLLEY_PART, TROLLEY) if trolley else (HOIST_PART, HOIST)
+    _, most = TROLLEY if trolley else HOIST
     top = plainly(MINUTE * most)
     yield Paragraph(tr("As is usual this part of it is taken, but not more than {speed} m/min:", speed=top))
     i = "1" if trolley else "2"
-    yield from lines([f"v_{i} = min({part:g}*v_{{p{i}}}, {MINUTE * most:g}/{MINUTE:g})"], [place])
+    yield from lines([f"v_{i} = {usual_speed(i)}"], [place])
 
 
 def _limits(limits: Sequence[Limit]) -> Iterator[Block]:
@@ -260,15 +250,7 @@ def _inertia(task: TransloaderTask, drives: Sequence[Drive], lexicon: Lexicon) -
 
 def _of_wind(name: str, wind: Wind, lexicon: Lexicon) -> Place:
     letter = LETTERS[name]
-    found = {
-        "W_i": lexicon[letter]._replace(meaning=tr("force of the wind")),
-        "q_0": Given(wind.pressure, "Pa", tr("pressure of the wind")),
-        "n": Given(wind.height, "", tr("coefficient of the height")),
-        "c": Given(wind.shape, "", tr("coefficient of the shape")),
-        "gamma": Given(wind.overload, "", tr("coefficient of overload")),
-        "beta": Given(wind.dynamic, "", tr("coefficient of the gusts")),
-        "A": Given(wind.area, "m^2", tr("area that the wind acts on")),
-    }
+    found = {"W_i": lexicon[letter]._replace(meaning=tr("force of the wind"))} | wind_data(wind)
     return Place(meaning_of(name), named(found), letter.partition("_")[2])
 
 

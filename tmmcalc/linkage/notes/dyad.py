@@ -13,7 +13,7 @@ import numpy as np
 from tmmcalc.core.plane import Point
 from tmmcalc.linkage.dyad import DyadMotion
 from tmmcalc.linkage.dyads.base import Rates
-from tmmcalc.linkage.dyadstate import DyadState, DyadTask, Port, dyad_of, motion_of, ports_of
+from tmmcalc.linkage.dyadstate import DyadState, DyadTask, dyad_of, motion_of, ports_of
 from tmmcalc.linkage.notes import points
 from tmmcalc.linkage.notes.group import GroupAt, length, one_number, point_quantities, signs_of
 from tmmcalc.linkage.notes.told import DYADS
@@ -26,8 +26,8 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import WIDE, cell, column_of, filled, lines, named, quantities
+from tmmcalc.report.manuscript import Block, Datum, Display, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
+from tmmcalc.report.telling import WIDE, cell, column_of, data_of, data_table, filled, lines, named, quantities
 
 LINKS = {"a": "a", "b": "b", "f": "1", "g": "2"}
 LETTERS = "ADBCEGHJKLMN"  # of which the joints have the first ones that no point has
@@ -161,31 +161,80 @@ def _turning(link: str, omega: float, eps: float) -> dict[str, Given]:
     }
 
 
+def data(order: Order) -> Iterator[Block]:
+    """Which dyad it is, its metric, the states of its outer joints, the points of its links."""
+    alone = alone_of(to_dyad(order.spec), order.results["dyad"])
+    task, places = alone.task, alone.at.places
+    yield _scene(alone)
+    if "P" in task.kind:
+        yield Paragraph(
+            tr(
+                "Offsets are positive to the left of the line from which they are; a slider is counted from the given "
+                "point of its guide, along the angle $gamma$ of the guide with axis $x$."
+            )
+        )
+    yield from data_of(_metric(alone))
+    if alone.result.variant is not None:
+        yield Datum(tr("assembly of the links"), text=_assembled(alone))
+    yield from _ports(task, places["P"], places["Q"])
+    for mark in task.points:
+        axes = _axes(task.kind, mark.link, places)
+        name = "".join(letter for letter in mark.name if letter.isalnum())
+        words = {"point": name, "link": mark.link, "origin": axes.origin, "angle": axes.angle}
+        said = tr("point {point} of link {link} from {origin}, along and across the direction ${angle}$", **words)
+        yield Datum(said, (f"xi_{{{name}}}", f"eta_{{{name}}}"), (mark.x, mark.y), "m")
+
+
+def _scene(alone: Alone) -> Paragraph:
+    """The links and the joints."""
+    task, places = alone.task, alone.at.places
+    meet = tr("The links meet in the pin {pin}.", pin=places["B"]) if alone.motion.inner is not None else ""
+    said = tr(
+        "The dyad {kind} has the links a and b. The outer joint of a is {first}, that of b {second}; both move as "
+        "given.",
+        kind=task.kind,
+        first=_joint(task.kind[0], places["P"], "1"),
+        second=_joint(task.kind[2], places["Q"], "2"),
+    )
+    return Paragraph(f"{said} {meet}".strip())
+
+
+def _metric(alone: Alone) -> Lexicon:
+    letters = {"length_a": "l_a", "length_b": "l_b", "offset_a": "h_a", "offset_b": "h_b", "turn": "delta_b"}
+    swapped = {"offset_a": "h_b"} if alone.task.kind == "RPR" else {}
+    keys = [(letters | swapped).get(name, "") for name in METRIC[alone.task.kind]]
+    return {key: alone.lexicon[key] for key in keys if key in alone.lexicon}
+
+
+def _assembled(alone: Alone) -> str:
+    """Which of the two assemblies it is."""
+    words = {"first": alone.at.places["P"], "second": alone.at.places["Q"], "inner": alone.at.places["B"]}
+    one, other = {
+        "RRR": (
+            tr("{inner} to the left of the line from {first} to {second}", **words),
+            tr("{inner} to the right of the line from {first} to {second}", **words),
+        ),
+        "RRP": (
+            tr("{inner} ahead of {first} along the guide", **words),
+            tr("{inner} behind {first} along the guide", **words),
+        ),
+        "RPR": (
+            tr("{first} ahead of {second} along the line of link b", **words),
+            tr("{first} behind {second} along the line of link b", **words),
+        ),
+    }[alone.task.kind]
+    return one if alone.task.variant > 0 else other
+
+
 def _given(alone: Alone) -> Iterator[Block]:
     """What dyad it is, its metric, the states of the outer joints."""
     task, places = alone.task, alone.at.places
-    yield Paragraph(
-        tr(
-            "The dyad {kind} has the links a and b. The outer joint of a is {first}, that of b {second}; both move as "
-            "given.",
-            kind=task.kind,
-            first=_joint(task.kind[0], places["P"], "1"),
-            second=_joint(task.kind[2], places["Q"], "2"),
-        )
-        + (" " + tr("The links meet in the pin {pin}.", pin=places["B"]) if alone.motion.inner is not None else "")
-    )
-    letters = {"length_a": "l_a", "length_b": "l_b", "offset_a": "h_a", "offset_b": "h_b", "turn": "delta_b"}
-    swapped = {"offset_a": "h_b"} if task.kind == "RPR" else {}
-    metric = {}
-    for name in METRIC[task.kind]:
-        key = (letters | swapped).get(name)
-        if key in alone.lexicon:
-            metric[key] = alone.lexicon[key]
+    yield _scene(alone)
     yield Paragraph(
         tr("Its dimensions are in table {tab:dyad_metric}, the states of its outer joints in table {tab:dyad_ports}.")
     )
-    yield quantities(tr("Dimensions of the dyad"), metric, "dyad_metric", 7)
-    yield _ports(task, places["P"], places["Q"])
+    yield quantities(tr("Dimensions of the dyad"), _metric(alone), "dyad_metric", 7)
+    yield data_table(tr("States of the outer joints"), _ports(task, places["P"], places["Q"]), "dyad_ports")
     if alone.result.variant is not None:
         yield Paragraph(
             tr(
@@ -201,29 +250,21 @@ def _joint(letter: str, point: str, guide: str) -> str:
     return tr("a slider on the guide of link {link} through {point}", point=point, link=guide)
 
 
-def _ports(task: DyadTask, first: str, second: str) -> Table:
+def _ports(task: DyadTask, first: str, second: str) -> Iterator[Datum]:
     """Place, velocity and acceleration of the outer joints, of guides their turning."""
-    columns: list[tuple[str, Port, str]] = [(first, task.first, task.kind[0]), (second, task.second, task.kind[2])]
-    rows: list[tuple[str, ...]] = []
-    for name, unit, values in (
-        ("x", "m", [port.point[0] for _, port, _ in columns]),
-        ("y", "m", [port.point[1] for _, port, _ in columns]),
-        ("v_x", "m/s", [port.velocity[0] for _, port, _ in columns]),
-        ("v_y", "m/s", [port.velocity[1] for _, port, _ in columns]),
-        ("a_x", "m/s^2", [port.acceleration[0] for _, port, _ in columns]),
-        ("a_y", "m/s^2", [port.acceleration[1] for _, port, _ in columns]),
-    ):
-        rows.append((f"${name}$, {tr_unit(unit)}", *(cell(value) for value in values)))
-    if "P" in (task.kind[0], task.kind[2]):
-        for name, unit, values in (
-            ("gamma", "deg", [math.degrees(port.angle) for _, port, _ in columns]),
-            ("omega", "rad/s", [port.omega for _, port, _ in columns]),
-            ("eps", "rad/s^2", [port.eps for _, port, _ in columns]),
+    ports = (first, "1", task.first, task.kind[0]), (second, "2", task.second, task.kind[2])
+    for point, guide, port, kind in ports:
+        yield Datum(tr("place of joint {point}", point=point), (f"x_{point}", f"y_{point}"), port.point, "m")
+        for letter, said, values, unit in (
+            ("v", tr("velocity of joint {point}", point=point), port.velocity, "m/s"),
+            ("a", tr("acceleration of joint {point}", point=point), port.acceleration, "m/s^2"),
         ):
-            cells = (cell(v) if kind == "P" else "–" for v, (_, _, kind) in zip(values, columns, strict=True))
-            rows.append((f"${name}$, {tr_unit(unit)}", *cells))
-    head = tr("Quantity"), *(tr("joint {point}", point=point) for point, _, _ in columns)
-    return Table(tr("States of the outer joints"), head, tuple(rows), "dyad_ports")
+            yield Datum(said, (f"{letter}_{{{point}x}}", f"{letter}_{{{point}y}}"), values, unit)
+        if kind == "P":
+            link = "ab"[guide == "2"]
+            said = tr("angle of the guide of link {link}", link=link)
+            yield Datum(said, (f"gamma_{link}",), (math.degrees(port.angle),), "deg")
+            yield from data_of(_turning(guide, port.omega, port.eps))
 
 
 def _points(alone: Alone) -> Iterator[Block]:

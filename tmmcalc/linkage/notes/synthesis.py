@@ -19,7 +19,7 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Result, Table
 from tmmcalc.report.printing import printed_as
-from tmmcalc.report.telling import WIDE, cell, quantities
+from tmmcalc.report.telling import WIDE, cell, data_of, quantities
 
 HOME = "tmmcalc.linkage.notes.syntheses"
 KINDS = {  # modules that tell of them
@@ -46,7 +46,10 @@ def blocks(order: Order) -> Iterator[Block]:
     kind: Any = import_module(f"{HOME}.{KINDS[told.found.kind]}")
     yield Heading(tr("Task of the synthesis"))
     yield Paragraph(kind.task(told))
-    yield from _asked(told, kind.given(told))
+    asked = _asked(told, kind)
+    told.give(asked)
+    yield Paragraph(tr("Table {tab:synthesis_asked} has what is asked."))
+    yield quantities(tr("What is asked of the linkage"), asked, "synthesis_asked", FIGURES)
     yield Heading(tr("Dimensions of the linkage"))
     yield from kind.blocks(told)
     yield from _listed(told)
@@ -60,16 +63,24 @@ def blocks(order: Order) -> Iterator[Block]:
             yield Result(letter_of(size.symbol), told.lexicon[letter_of(size.symbol)])
 
 
-def _asked(told: Told, given: dict[str, Given]) -> Iterator[Block]:
-    """The table of what is asked."""
+def data(order: Order) -> Iterator[Block]:
+    """What is sought, and what is asked of it."""
+    told = told_of(order)
+    kind: Any = import_module(f"{HOME}.{KINDS[told.found.kind]}")
+    yield Paragraph(kind.task(told))
+    yield from data_of(_asked(told, kind))
+    yield from kind.further(told)
+
+
+def _asked(told: Told, kind: Any) -> dict[str, Given]:
+    """What is asked, by its letters."""
     task = told.task
+    given: dict[str, Given] = kind.given(told)
     if task.crank_speed is not None:
         given["n_1"] = Given(task.crank_speed * 30 / math.pi, "rpm", tr("speed of the crank"))
     if task.working_speed is not None:
         given["v_p"] = Given(task.working_speed, "m/s", tr("mean speed on the working stroke"))
-    told.give(given)
-    yield Paragraph(tr("Table {tab:synthesis_asked} has what is asked."))
-    yield quantities(tr("What is asked of the linkage"), given, "synthesis_asked", FIGURES)
+    return given
 
 
 def _listed(told: Told) -> Iterator[Block]:

@@ -167,12 +167,17 @@ def _said(kind: CharacteristicKind, motor: Motor) -> str:
 def motor_data(motor: Motor, power: Power) -> Lexicon:
     """What is known of the motor and of the gears."""
     assert power.duty is not None
+    return {**plate(motor, power.duty.ratio), "eta_u": losses(power)}
+
+
+def plate(motor: Motor, ratio: float | None = None) -> Lexicon:
+    """What is known of the motor, and its speed over that of the input shaft."""
     no_load = _no_load(motor, tr("synchronous speed of the motor"), tr("speed of the motor without load"))
     known: dict[str, tuple[float | None, str, str]] = {
         "P_N": (motor.power, "W", tr("rated power of the motor")),
         "n_N": (motor.rated_rpm, "rpm", tr("rated speed of the motor")),
         "n_c": (motor.synchronous_rpm, "rpm", no_load),
-        "u": (power.duty.ratio, "", tr("speed ratio of the motor and the input shaft")),
+        "u": (ratio, "", tr("speed ratio of the motor and the input shaft")),
         "K": (motor.overload, "", tr("overload factor of the motor")),
         "U": (motor.voltage, "V", tr("voltage of the motor")),
         "R": (motor.resistance, "Ohm", tr("resistance of the armature circuit")),
@@ -180,8 +185,20 @@ def motor_data(motor: Motor, power: Power) -> Lexicon:
         "c_s": (motor.saturation, "", tr("part of the flux that saturation takes at the rated current")),
         "eta_M": (motor.efficiency, "", tr("efficiency of the motor")),
     }
-    found = {key: Given(value, *told) for key, (value, *told) in known.items() if value is not None}
-    return {**found, "eta_u": losses(power)}
+    return {key: Given(value, *told) for key, (value, *told) in known.items() if value is not None}
+
+
+def called(kind: CharacteristicKind) -> str:
+    """A motor by the form of its characteristic, as what drives."""
+    return {
+        "parabolic": tr("motor, its characteristic a parabola through the rated and the synchronous point"),
+        "linear": tr("motor, its characteristic a straight line through the rated point and the point without load"),
+        "kloss": tr("motor, its characteristic by the formula of Kloss"),
+        "shunt": tr("direct-current motor with shunt field"),
+        "series": tr("direct-current motor with series field"),
+        "constant": tr("motor with a constant moment"),
+        "table": tr("motor, its characteristic by points"),
+    }[kind]
 
 
 def losses(power: Power) -> Given:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from tmmcalc.machine.flywheel.results import Flywheel
 from tmmcalc.machine.flywheel.rim import DEFAULT
 from tmmcalc.machine.motors.model import RPM
-from tmmcalc.machine.notes.motors import driven, motor_data
+from tmmcalc.machine.notes.motors import called, driven, motor_data
 from tmmcalc.machine.power import Power
 from tmmcalc.machine.tables.tasks.balance import to_engine, to_rotor
 from tmmcalc.machine.tables.tasks.machine import to_motion
@@ -54,15 +54,7 @@ def _drive(order: Order) -> str:
     if found is None:
         free = to_motion(order.spec).undriven
         return tr("nothing but the loads") if free else tr("constant driving moment")
-    return {
-        "parabolic": tr("motor, its characteristic a parabola through the rated and the synchronous point"),
-        "linear": tr("motor, its characteristic a straight line through the rated point and the point without load"),
-        "kloss": tr("motor, its characteristic by the formula of Kloss"),
-        "shunt": tr("direct-current motor with shunt field"),
-        "series": tr("direct-current motor with series field"),
-        "constant": tr("motor with a constant moment"),
-        "table": tr("motor, its characteristic by points"),
-    }[found[0].characteristic]
+    return called(found[0].characteristic)
 
 
 def _rim(found: Flywheel, *, proportioned: bool) -> Iterator[Datum]:

@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.manipulators.notes import along, arms, moves
+from tmmcalc.manipulators.notes.given import rows, scene, whole
 from tmmcalc.manipulators.notes.path import path, seen
-from tmmcalc.manipulators.notes.told import Told, joint_words, letter
+from tmmcalc.manipulators.notes.told import Told
 from tmmcalc.manipulators.notes.verdicts import verdicts
 from tmmcalc.manipulators.pictures.manipulator import pieces_of
 from tmmcalc.manipulators.results import Manipulator
 from tmmcalc.manipulators.tables.tasks.manipulator import to_manipulator
-from tmmcalc.manipulators.task import ArcRoute, ArcThrough, LawTask, PathTask, TableTask
+from tmmcalc.manipulators.task import LawTask, ManipulatorTask, TableTask
 from tmmcalc.report.drawing.order import POSITIONS, Order
-from tmmcalc.report.formula.digits import RESULT, significant
-from tmmcalc.report.language import tr, tr_number, tr_unit
-from tmmcalc.report.manuscript import Block, Heading, Paragraph, Table
-from tmmcalc.report.telling import pictured, tabulated
+from tmmcalc.report.language import tr
+from tmmcalc.report.manuscript import Block, Heading, Paragraph
+from tmmcalc.report.telling import data_table, pictured, tabulated
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -32,7 +31,7 @@ def blocks(order: Order) -> Iterator[Block]:
     told = Told(told.task, result, tuple(chosen))
     first, second = pieces_of(order)
     yield Heading(tr("Manipulator and its task"), 2)
-    yield from _given(told)
+    yield from _given(told.task)
     if result.inverse:
         yield Heading(tr("Path of the gripper"), 2)
         yield from path(told, first)
@@ -53,126 +52,18 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from verdicts(told)
 
 
-def _given(told: Told) -> Iterator[Block]:
+def data(order: Order) -> Iterator[Block]:
+    """The arm, the path or the motion of the joints, their limits, the obstacles."""
+    yield from whole(to_manipulator(order.spec))
+
+
+def _given(task: ManipulatorTask) -> Iterator[Block]:
     """What is given, as a table."""
-    kinds = {
-        "spherical": tr("a spherical arm, which turns in its vertical plane and extends"),
-        "cylindrical": tr("a cylindrical arm, which lifts and reaches out in its vertical plane"),
-        "angular": tr("an angular arm, an upper arm and a forearm in a vertical plane"),
-    }
-    kind = kinds[told.arm.kind]
-    base = tr("The manipulator has {arm}, on a base that turns about the vertical axis.", arm=kind)
-    yield Paragraph(base if told.arm.spatial else tr("The manipulator has {arm}.", arm=kind))
-    yield Paragraph(
-        tr(
-            "The path of the gripper is given: this is the inverse problem, which finds the joint coordinates with "
-            "their derivatives by the time. The given data are in table {table}.",
-            table="{tab:manipulator_data}",
-        )
-        if told.result.inverse
-        else tr(
-            "The motion of the joints is given: this is the direct problem, which finds place, velocity and "
-            "acceleration of the gripper. The given data are in table {table}.",
-            table="{tab:manipulator_data}",
-        )
-    )
-    head = (tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value"))
-    yield Table(tr("Given data of the manipulator"), head, tuple(_rows(told)), "manipulator_data")
-
-
-def _rows(told: Told) -> Iterator[tuple[str, str, str, str]]:
-    arm, asked = told.arm, told.task.motion
-    if arm.kind == "angular":
-        yield tr("Length of the upper arm"), "$l_a$", tr_unit("m"), _number(arm.upper)
-        yield tr("Length of the forearm"), "$l_b$", tr_unit("m"), _number(arm.forearm)
-        if told.result.inverse:
-            side = tr("to the left of the line from the shoulder") if arm.elbow > 0 else tr("to the right of that line")
-            yield tr("Elbow"), "", "", side
-    if arm.height:
-        yield tr("Height of the shoulder"), "$H$", tr_unit("m"), _number(arm.height)
-    if isinstance(asked, PathTask):
-        yield from _of_path(told, asked)
-    elif isinstance(asked, LawTask):
-        yield from _of_laws(told, asked)
-    for limit in told.task.limits:
-        joint = next(each for each in arm.ranged if each.name == limit.name)
-        ends = [_coordinate(edge, joint.turns) for edge in (limit.low, limit.high)]
-        unit = "°" if joint.turns else tr_unit("m")
-        said = joint_words(arm, joint)[0]
-        yield tr("Range: {what}", what=said), f"${letter(joint)}$", unit, f"{ends[0]} … {ends[1]}"
-    for obstacle in told.task.obstacles:
-        corners = "; ".join(f"({_number(each.real)}; {_number(each.imag)})" for each in obstacle.corners)
-        yield tr("Corners of obstacle {name}", name=obstacle.name), "$x$, $y$", tr_unit("m"), corners
-        if arm.spatial:
-            heights = f"{_number(obstacle.low)} … {_number(obstacle.high)}"
-            yield tr("Height of obstacle {name}", name=obstacle.name), "$z$", tr_unit("m"), heights
-
-
-def _of_path(told: Told, asked: PathTask) -> Iterator[tuple[str, str, str, str]]:
-    route, drive = asked.route, asked.drive
-    names = ", ".join(f"${axis}_%$" for axis in told.axes)
-    if isinstance(route, ArcRoute | ArcThrough):
-        yield tr("Start of the path"), names.replace("%", "1"), tr_unit("m"), _point(route.start)
-        yield tr("End of the path"), names.replace("%", "2"), tr_unit("m"), _point(route.end)
-        if isinstance(route, ArcThrough):
-            yield tr("Point of the arc"), names.replace("%", "v"), tr_unit("m"), _point(route.via)
-        else:
-            yield tr("Radius of the arc"), "$R$", tr_unit("m"), _number(route.radius)
-            yield tr("Side of the centre"), "$K$", "", f"{route.side:+d}".replace("-", "−")
-            if told.arm.spatial:
-                yield tr("Normal of the plane of the arc"), "$n_x$, $n_y$, $n_z$", "", _point(route.normal)
-    elif len(route.points) == 2:
-        yield tr("Start of the path"), names.replace("%", "1"), tr_unit("m"), _point(route.points[0])
-        yield tr("End of the path"), names.replace("%", "2"), tr_unit("m"), _point(route.points[1])
-    else:
-        yield tr("Number of points of the path"), "", "", str(len(route.points))
-        if route.corner:
-            yield tr("Radius of the rounded corners"), "$R$", tr_unit("m"), _number(route.corner)
-    limits = (
-        (drive.speed, "$v_m$", "m/s", tr("Allowed speed of the gripper")),
-        (drive.duration, "$T$", "s", tr("Time of the motion")),
-        (drive.acceleration, "$a_m$", "m/s^2", tr("Allowed tangential acceleration of the gripper")),
-        (drive.normal, "$a_n^{lim}$", "m/s^2", tr("Allowed normal acceleration of the gripper")),
-        (drive.total, "$a_Σ^{lim}$", "m/s^2", tr("Allowed total acceleration of the gripper")),
-    )
-    for value, name, unit, said in limits:
-        if value is not None:
-            yield said, name, tr_unit(unit), _number(value)
-
-
-def _of_laws(told: Told, asked: LawTask) -> Iterator[tuple[str, str, str, str]]:
-    moves = {move.name: move for move in asked.moves}
-    for joint in told.arm.joints:
-        move, said = moves[joint.name], joint_words(told.arm, joint)
-        unit = "°" if joint.turns else tr_unit("m")
-        ends = [_coordinate(each, joint.turns) for each in (move.start, move.end)]
-        told_as = ends[0] if move.start == move.end else tr("from {first} to {last}", first=ends[0], last=ends[1])
-        yield _capital(said[0]), f"${joint.name}$", unit, told_as
-        own = "rad" if joint.turns else "m"
-        if move.start != move.end and move.speed is not None and move.acceleration is not None:
-            yield tr("Allowed: {what}", what=said[1]), f"${joint.rate}$", tr_unit(f"{own}/s"), _number(move.speed)
-            yield (
-                tr("Allowed: {what}", what=said[2]),
-                f"${joint.acceleration}$",
-                tr_unit(f"{own}/s^2"),
-                _number(move.acceleration),
-            )
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]
-
-
-def _number(value: float) -> str:
-    return tr_number(significant(value, RESULT)).replace("-", "−")
-
-
-def _coordinate(value: float | None, turns: bool) -> str:
-    return "–" if value is None else _number(math.degrees(value) if turns else value)
-
-
-def _point(place: tuple[float, ...]) -> str:
-    return "; ".join(map(_number, place))
+    kind, problem = scene(task)
+    yield kind
+    table = tr("The given data are in table {table}.", table="{tab:manipulator_data}")
+    yield Paragraph(f"{problem.text} {table}")
+    yield data_table(tr("Given data of the manipulator"), rows(task), "manipulator_data")
 
 
 def _tables(told: Told) -> Iterator[Block]:

@@ -13,7 +13,7 @@ from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import column_of, lines, named, pictured
-from tmmcalc.vibration.notes.rotor import rotor, sections
+from tmmcalc.vibration.notes.rotor import rotor, sections, whole
 from tmmcalc.vibration.notes.whirling import campbell, critical, unbalance, whirling
 from tmmcalc.vibration.pendulum.results import PendulumResult
 from tmmcalc.vibration.pendulum.solve import rigid_body
@@ -58,6 +58,11 @@ def blocks(order: Order) -> Iterator[Block]:
             )
         )
         yield pictured(pieces["swing"], key="pendulum_swing")
+
+
+def data(order: Order) -> Iterator[Block]:
+    """Rod, disc and joint, the spin, the motion in time."""
+    yield from whole(to_pendulum(order.spec), order.spec.pendulum)
 
 
 def _rigid(task: PendulumTask, result: PendulumResult) -> Iterator[Block]:

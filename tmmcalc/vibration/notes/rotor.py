@@ -6,14 +6,13 @@ import math
 from collections.abc import Iterator
 
 from tmmcalc.report.formula.digits import RESULT, Given, significant
-from tmmcalc.report.language import tr, tr_number, tr_unit
-from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Place, Table
-from tmmcalc.report.telling import lines, named
-from tmmcalc.vibration.pendulum.task import PendulumTask
+from tmmcalc.report.language import tr, tr_number
+from tmmcalc.report.manuscript import Block, Datum, Lexicon, Paragraph, Place
+from tmmcalc.report.telling import data_table, lines, named
+from tmmcalc.vibration.pendulum.task import PendulumTask, Swing
 from tmmcalc.vibration.tables.pendulum import DiscTable, PendulumRodTable, PendulumTable
 from tmmcalc.vibration.vibrator.springs import torsion_coefficient
 
-Row = tuple[str, str, str, str]
 PLANES = ("x", "y")
 
 
@@ -45,26 +44,62 @@ def rotor(task: PendulumTask) -> Lexicon:
     return named(found)
 
 
-def sections(task: PendulumTask, table: PendulumTable) -> Iterator[Block]:
-    """The data as a table, then what follows from the sizes of rod and disc."""
-    yield Paragraph(
+def whole(task: PendulumTask, table: PendulumTable) -> Iterator[Block]:
+    """All that is given, with the speeds and the motion in time that are asked for."""
+    yield _hangs(task)
+    yield from _rows(task, table)
+    yield Datum(tr("Number of natural frequencies that are sought"), (), (float(task.modes),))
+    if task.speeds is not None:
+        said = tr("Speeds of spin between which the frequencies are sought")
+        yield Datum(said, ("Omega",), (task.speeds.low, task.speeds.high), "rad/s")
+    if task.swing is not None:
+        yield from _swing(task.swing, heavy=bool(task.disc.eccentricity))
+
+
+def _swing(asked: Swing, *, heavy: bool) -> Iterator[Block]:
+    """How the motion in time begins, and how the joint moves."""
+    if heavy:
+        yield Paragraph(tr("At the beginning of the motion in time the heavy side of the disc is towards $x$."))
+    yield Datum(tr("Time of the motion"), ("t_e",), (asked.duration,), "s")
+    said = tr("Tilt of the straight rod towards $x$ at the beginning")
+    yield Datum(said, ("theta_0",), (math.degrees(asked.tilt),), "deg")
+    if asked.deflection:
+        said = tr("Displacement of the lower end along $x$ by a force that bends the rod and lets go")
+        yield Datum(said, ("v_d",), (asked.deflection,), "m")
+    if asked.push:
+        said = tr("Speed of the lower end along $y$ at the beginning, in the shape of the displacements")
+        yield Datum(said, ("w'",), (asked.push,), "m/s")
+    if asked.times:
+        said = tr("Times of the speeds of the upper end, between which they change evenly; the last one is kept")
+        yield Datum(said, ("t_i",), asked.times, "s")
+        for said, name, speeds in (
+            (tr("Speeds of the upper end along $x$ at these times"), "u_x", asked.x),
+            (tr("Speeds of the upper end along $y$ at these times"), "u_y", asked.y),
+            (tr("Speeds of the upper end upwards at these times"), "u_z", asked.up),
+        ):
+            if speeds:
+                yield Datum(said, (name,), speeds, "m/s")
+
+
+def _hangs(task: PendulumTask) -> Paragraph:
+    return Paragraph(
         tr(
             "An elastic rod hangs from a spherical joint and carries a disc on its lower end; $a$ is counted down "
-            "along the rod, $v$ and $w$ are its displacements along the horizontal axes $x$ and $y$. The given data "
-            "are in table {table}.",
-            table="{tab:pendulum_data}",
+            "along the rod, $v$ and $w$ are its displacements along the horizontal axes $x$ and $y$."
         )
         if task.pivot is not None
         else tr(
             "An elastic rod is clamped at its upper end and carries a disc on its lower end; $a$ is counted down "
-            "along the rod, $v$ and $w$ are its displacements along the horizontal axes $x$ and $y$. The given data "
-            "are in table {table}.",
-            table="{tab:pendulum_data}",
+            "along the rod, $v$ and $w$ are its displacements along the horizontal axes $x$ and $y$."
         )
     )
-    head = (tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value"))
-    rows = tuple(_rows(task, table))
-    yield Table(tr("Given data of the pendulum-rotor"), head, rows, "pendulum_data")
+
+
+def sections(task: PendulumTask, table: PendulumTable) -> Iterator[Block]:
+    """The data as a table, then what follows from the sizes of rod and disc."""
+    table_ = tr("The given data are in table {table}.", table="{tab:pendulum_data}")
+    yield Paragraph(f"{_hangs(task).text} {table_}")
+    yield data_table(tr("Given data of the pendulum-rotor"), _rows(task, table), "pendulum_data")
     texts = [*_of_rod(task, table.rod), *_of_disc(task, table.disc)]
     if not texts:
         return
@@ -73,44 +108,41 @@ def sections(task: PendulumTask, table: PendulumTable) -> Iterator[Block]:
     yield from lines(texts, [Place("", lexicon)])
 
 
-def _row(said: str, name: str, unit: str, value: float) -> Row:
-    return said, f"${name}$" if name else "", tr_unit(unit), f"${significant(value, RESULT)}$"
-
-
-def _rows(task: PendulumTask, table: PendulumTable) -> Iterator[Row]:
+def _rows(task: PendulumTask, table: PendulumTable) -> Iterator[Datum]:
     rod, disc = table.rod, table.disc
-    yield _row(tr("Length of the rod"), "l", "m", rod.length)
+    yield Datum(tr("Length of the rod"), ("l",), (rod.length,), "m")
     if rod.diameter is not None:
-        yield _row(tr("Outer diameter of the rod"), "d", "m", rod.diameter)
+        yield Datum(tr("Outer diameter of the rod"), ("d",), (rod.diameter,), "m")
         if rod.bore:
-            yield _row(tr("Inner diameter of the rod"), "d_0", "m", rod.bore)
+            yield Datum(tr("Inner diameter of the rod"), ("d_0",), (rod.bore,), "m")
     elif rod.width is not None and rod.thickness is not None:
-        yield _row(tr("Side of the section along x"), "b", "m", rod.width)
-        yield _row(tr("Side of the section along y"), "h", "m", rod.thickness)
+        yield Datum(tr("Side of the section along x"), ("b",), (rod.width,), "m")
+        yield Datum(tr("Side of the section along y"), ("h",), (rod.thickness,), "m")
     if rod.mass is not None:
-        yield _row(tr("Mass of the rod"), "m_0", "kg", rod.mass)
+        yield Datum(tr("Mass of the rod"), ("m_0",), (rod.mass,), "kg")
     elif rod.diameter is not None or rod.width is not None:
-        yield _row(tr("Density of the material"), "rho_m", "kg/m^3", rod.density)
+        yield Datum(tr("Density of the material"), ("rho_m",), (rod.density,), "kg/m^3")
     if rod.bending_stiffness is not None:
         yield from _pair(task, tr("Bending stiffness of the rod"), "B", "N*m^2", task.rod.bending)
     else:
-        yield _row(tr("Modulus of elasticity"), "E", "Pa", rod.young)
+        yield Datum(tr("Modulus of elasticity"), ("E",), (rod.young,), "Pa")
     if rod.torsion_stiffness is not None:
-        yield _row(tr("Torsional stiffness of the rod"), "C_p", "N*m^2", rod.torsion_stiffness)
+        yield Datum(tr("Torsional stiffness of the rod"), ("C_p",), (rod.torsion_stiffness,), "N*m^2")
     elif task.rod.torsion is not None:
-        yield _row(tr("Shear modulus"), "G", "Pa", rod.shear_modulus)
+        yield Datum(tr("Shear modulus"), ("G",), (rod.shear_modulus,), "Pa")
     if rod.section_radius is not None:
         yield from _pair(task, tr("Radius of gyration of the section"), "i", "m", task.rod.radius)
     if disc is not None:
         yield from _disc_rows(task, disc)
     if task.pivot is not None:
-        yield _row(tr("Stiffness of the joint"), "k", "N*m/rad", task.pivot)
+        yield Datum(tr("Stiffness of the joint"), ("k",), (task.pivot,), "N*m/rad")
+    yield Datum(tr("Acceleration of gravity"), ("g",), (task.gravity,), "m/s^2")
     if task.spin:
-        yield _row(tr("Speed of spin"), "Omega", "rad/s", task.spin)
+        yield Datum(tr("Speed of spin"), ("Omega",), (task.spin,), "rad/s")
 
 
-def _disc_rows(task: PendulumTask, disc: DiscTable) -> Iterator[Row]:
-    yield _row(tr("Mass of the disc"), "m", "kg", disc.mass)
+def _disc_rows(task: PendulumTask, disc: DiscTable) -> Iterator[Datum]:
+    yield Datum(tr("Mass of the disc"), ("m",), (disc.mass,), "kg")
     if disc.gyration is not None:
         pair = (disc.gyration[0], disc.gyration[-1])
         yield from _pair(task, tr("Radius of gyration of the disc about a diameter"), "r", "m", pair)
@@ -119,18 +151,18 @@ def _disc_rows(task: PendulumTask, disc: DiscTable) -> Iterator[Row]:
             task, tr("Moment of inertia of the disc about a diameter"), "J_d", "kg*m^2", task.disc.diametral
         )
         if disc.polar_inertia is not None:
-            yield _row(tr("Polar moment of inertia of the disc"), "J_p", "kg*m^2", disc.polar_inertia)
+            yield Datum(tr("Polar moment of inertia of the disc"), ("J_p",), (disc.polar_inertia,), "kg*m^2")
     if disc.eccentricity:
-        yield _row(tr("Eccentricity of the disc"), "e", "m", disc.eccentricity)
+        yield Datum(tr("Eccentricity of the disc"), ("e",), (disc.eccentricity,), "m")
 
 
-def _pair(task: PendulumTask, said: str, name: str, unit: str, pair: tuple[float, float]) -> Iterator[Row]:
+def _pair(task: PendulumTask, said: str, name: str, unit: str, pair: tuple[float, float]) -> Iterator[Datum]:
     """One value, or one for each plane."""
     if task.axisymmetric:
-        yield _row(said, name, unit, pair[0])
+        yield Datum(said, (name,), (pair[0],), unit)
         return
     for axis, value in zip(PLANES, pair, strict=True):
-        yield _row(said, f"{name[0]}_{axis}", unit, value)
+        yield Datum(said, (f"{name[0]}_{axis}",), (value,), unit)
 
 
 def _sizes(task: PendulumTask, table: PendulumTable) -> Lexicon:

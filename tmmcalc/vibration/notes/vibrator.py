@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -11,17 +10,16 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import RESULT, Given, significant
 from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Table
-from tmmcalc.report.telling import lines, named, pictured
+from tmmcalc.report.telling import data_table, lines, named, pictured
 from tmmcalc.vibration.notes.device import device, matrices, modes
 from tmmcalc.vibration.notes.forced import forced
+from tmmcalc.vibration.notes.given import coordinates, rows, whole
 from tmmcalc.vibration.notes.starts import driven, given_angle
 from tmmcalc.vibration.pictures.vibrator import pieces_of
 from tmmcalc.vibration.tables.tasks.vibration import to_vibrator
 from tmmcalc.vibration.vibrator.results import VibratorResult
 from tmmcalc.vibration.vibrator.springs import torsion_coefficient
 from tmmcalc.vibration.vibrator.task import VibratorTask
-
-Row = tuple[str, str, str, str]
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -76,88 +74,20 @@ def _started(figure: str) -> Paragraph:
     )
 
 
+def data(order: Order) -> Iterator[Block]:
+    """The device, its bodies and springs, its starts, the points of the part."""
+    yield from whole(to_vibrator(order.spec))
+
+
 def _given(task: VibratorTask) -> Iterator[Block]:
     """The coordinates, and what is given as a table."""
-    yield Paragraph(
-        tr(
-            "The device has a ring on four rods, a gripper with the part that hangs in the ring on four crossed flat "
-            "springs, and an exciter, whose motor with the unbalance sits on an elastic plate; the axis of the motor "
-            "is inclined by 45°. Its seven coordinates are the displacements $q_1 = x$, $q_2 = y$ of the ring and its "
-            "turn $q_3 = phi$ about the vertical, the tilts $q_4 = theta_x$, $q_5 = theta_y$ of the gripper about the "
-            "horizontal axes and its vertical displacement $q_6 = z$, the turn $q_7 = gamma$ of the exciter about its "
-            "hinge. The given data are in table {table}.",
-            table="{tab:vibrator_data}",
-        )
-    )
-    head = (tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value"))
-    yield Table(tr("Given data of the vibratory device"), head, tuple(_rows(task)), "vibrator_data")
-
-
-def _row(said: str, name: str, unit: str, value: float) -> Row:
-    return said, f"${name}$" if name else "", "°" if unit == "deg" else tr_unit(unit), _number(value)
+    table = tr("The given data are in table {table}.", table="{tab:vibrator_data}")
+    yield Paragraph(f"{coordinates().text} {table}")
+    yield data_table(tr("Given data of the vibratory device"), rows(task), "vibrator_data")
 
 
 def _number(value: float) -> str:
     return f"${significant(value, RESULT)}$"
-
-
-def _rows(task: VibratorTask) -> Iterator[Row]:
-    ring, gripper, exciter, rods = task.ring, task.gripper, task.exciter, task.rods
-    inertia = "kg*m^2"
-    yield _row(tr("Mass of the ring"), "m_1", "kg", ring.mass)
-    yield _row(tr("Moment of inertia of the ring about the vertical"), "J_z1", inertia, ring.inertia)
-    yield _row(tr("Mass of the gripper with the part"), "m_2", "kg", gripper.mass)
-    yield _row(tr("Its centre of mass below the flat springs"), "l", "m", gripper.drop)
-    yield _row(tr("Its moment of inertia about the axis along x"), "J_ξ", inertia, gripper.inertia_x)
-    yield _row(tr("Its moment of inertia about the axis along y"), "J_η", inertia, gripper.inertia_y)
-    yield _row(tr("Its moment of inertia about the vertical"), "J_ζ", inertia, gripper.inertia_z)
-    yield _row(tr("Mass of the exciter"), "m_3", "kg", exciter.mass)
-    yield _row(tr("Its centre of mass from the vertical axis"), "R_0", "m", exciter.radius)
-    yield _row(tr("Its centre of mass from the hinge"), "R^{*}", "m", exciter.arm)
-    yield _row(tr("Angle of this arm above the horizontal"), "beta", "deg", math.degrees(exciter.arm_angle))
-    yield _row(tr("Its moment of inertia about the line along the hinge"), "J_x3", inertia, exciter.inertia_hinge)
-    yield _row(tr("Its moment of inertia about the vertical"), "J_z3", inertia, exciter.inertia_z)
-    yield _row(tr("Stiffness of the plate against a turn"), "c_2", "N*m/rad", task.plate)
-    yield _row(tr("Ends of the rods from the vertical axis"), "R_2", "m", rods.radius)
-    if rods.stiffness is not None:
-        yield _row(tr("Stiffness across one rod"), "c", "N/m", rods.stiffness)
-    else:
-        yield _row(tr("Diameter of a rod"), "d_c", "m", rods.diameter)
-        yield _row(tr("Length of a rod"), "l_c", "m", rods.length)
-        yield _row(tr("Modulus of elasticity of the rods"), "E_c", "Pa", rods.young)
-    yield from _of_flats(task)
-    if task.damping.direct:
-        units = ["N*s/m", "N*s/m", *["N*m*s/rad"] * 3, "N*s/m", "N*m*s/rad"]
-        for k, (value, unit) in enumerate(zip(task.damping.direct, units, strict=True), 1):
-            if value:
-                yield _row(tr("Damping coefficient of coordinate {k}", k=k), f"b_{k}", unit, value)
-    else:
-        yield _row(tr("Part of critical damping of every mode"), "zeta", "", task.damping.ratio)
-    if task.unbalance is not None:
-        unbalance = task.unbalance
-        yield _row(tr("Static moment of the unbalance"), "m_r", "kg*m", unbalance.moment)
-        yield _row(tr("Centre of its path from the vertical axis"), "R", "m", unbalance.radius)
-        yield _row(tr("Centre of its path from the hinge"), "R_u", "m", unbalance.arm)
-        yield _row(tr("Angle of that arm above the horizontal"), "delta", "deg", math.degrees(unbalance.arm_angle))
-        if unbalance.rotor:
-            yield _row(tr("Moment of inertia of the rotor"), "J_r", inertia, unbalance.rotor)
-    if task.speed is not None:
-        yield _row(tr("Speed of the rotor"), "Omega", "rad/s", task.speed)
-
-
-def _of_flats(task: VibratorTask) -> Iterator[Row]:
-    flats = task.flats
-    if flats.vertical is not None:
-        yield _row(tr("Vertical stiffness of one flat spring"), "c_1", "N/m", flats.vertical)
-    if flats.tilt is not None:
-        yield _row(tr("Stiffness of the flat springs against a tilt"), "c_t", "N*m/rad", flats.tilt)
-    if flats.width:
-        yield _row(tr("Width of a flat spring"), "b", "m", flats.width)
-        yield _row(tr("Thickness of a flat spring"), "h", "m", flats.thickness)
-        yield _row(tr("Length of a flat spring"), "l_1", "m", flats.length)
-        yield _row(tr("Inner end of a flat spring from the axis"), "l_2", "m", flats.offset)
-        yield _row(tr("Modulus of elasticity of the flat springs"), "E", "Pa", flats.young)
-        yield _row(tr("Shear modulus"), "G", "Pa", flats.shear)
 
 
 def _springs(task: VibratorTask, result: VibratorResult) -> Iterator[Block]:

@@ -8,6 +8,7 @@ from functools import partial
 
 import numpy as np
 
+from tmmcalc.linkage.notes.syntheses.dwellchoices import choices
 from tmmcalc.linkage.notes.syntheses.dwellsearch import criteria, searched
 from tmmcalc.linkage.notes.syntheses.positions import by_lengths, by_positions
 from tmmcalc.linkage.notes.syntheses.told import Told, angle, length, quantity_of, ratio, turned
@@ -102,6 +103,11 @@ def given(told: Told) -> dict[str, Given]:
         found["l_OB"] = length(asked.frame, words["l_OB"])
     found["F_u"] = Given(asked.resistance, "N*m" if rocks else "N", tr("resistance on the output"))
     return found
+
+
+def further(told: Told) -> Iterator[Block]:
+    """Choices of output and strokes, what is sought by a search."""
+    yield from choices(told.asked)
 
 
 def blocks(told: Told) -> Iterator[Block]:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from tmmcalc.linkage.notes.syntheses.told import Told, angle, course_of, ratio, turned
 from tmmcalc.linkage.synthesis.dwell.optimum import STEPS
-from tmmcalc.linkage.synthesis.dwell.parameters import NAMES, RANGES, given
+from tmmcalc.linkage.synthesis.dwell.parameters import RANGES, given
 from tmmcalc.linkage.synthesis.dwell.results import BarForce, Dwell
-from tmmcalc.linkage.synthesis.dwell.task import DwellTask
+from tmmcalc.linkage.synthesis.dwell.task import DwellTask, Optimum
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name
@@ -112,22 +112,33 @@ def _ranges(told: Told, asked: DwellTask) -> Iterator[tuple[str, ...]]:
     """The free parameters with their ranges and what was found."""
     assert asked.optimum is not None
     size = told.design.size
-    found = {
-        "phi12_part": size("phi_12") / asked.dwell,
-        "bar": size("l_CB") / size("l_OB"),
-        "side": size("l_CD") / size("l_OB"),
-        "alpha": size("alpha"),
+    found: dict[str, Callable[[], float]] = {
+        "phi12_part": lambda: size("phi_12") / asked.dwell,
+        "psi0": lambda: size("psi_0"),
+        "psi13": lambda: size("psi_13"),
+        "psi12_part": lambda: size("psi_12") / size("psi_13"),
+        "bar": lambda: size("l_CB") / size("l_OB"),
+        "side": lambda: size("l_CD") / size("l_OB"),
+        "alpha": lambda: size("alpha"),
+        "n": lambda: size("n"),
     }
-    if asked.lengths is None:
-        found |= {"psi0": size("psi_0"), "psi13": size("psi_13"), "psi12_part": size("psi_12") / size("psi_13")}
-    if asked.pivot is None:
-        found["n"] = size("n")
-    values = given(asked)
-    for name in NAMES:
-        if values[name] is None and name in found:
-            ends = asked.optimum.ranges.get(name, RANGES[name])
-            turn = name in ANGLES
-            yield LETTERS[name], *(_cell(each, turn=turn) for each in (*ends, found[name]))
+    for name in _sought(asked):
+        ends = asked.optimum.ranges.get(name, RANGES[name])
+        yield LETTERS[name], *(_cell(each, turn=name in ANGLES) for each in (*ends, found[name]()))
+
+
+def _sought(asked: DwellTask) -> list[str]:
+    """The parameters that are not given, by name."""
+    values, free = given(asked), ("n",) if asked.lengths is not None else tuple(LETTERS)
+    return [name for name in free if values[name] is None and (name != "n" or asked.pivot is None)]
+
+
+def ranges(asked: DwellTask, optimum: Optimum) -> Iterator[tuple[str, tuple[float, float], str]]:
+    """The parameters that are sought by their letters, with their ranges and units."""
+    for name in _sought(asked):
+        low, high = optimum.ranges.get(name, RANGES[name])
+        turn = name in ANGLES
+        yield LETTERS[name], (math.degrees(low), math.degrees(high)) if turn else (low, high), "deg" if turn else ""
 
 
 def _cell(value: float, *, turn: bool) -> str:

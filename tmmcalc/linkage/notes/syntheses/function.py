@@ -26,7 +26,7 @@ from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import FormulaError, read
 from tmmcalc.report.language import tr, tr_name, tr_unit
-from tmmcalc.report.manuscript import Block, Display, Figure, Paragraph, Place, Result
+from tmmcalc.report.manuscript import Block, Datum, Display, Figure, Paragraph, Place, Result
 from tmmcalc.report.telling import WIDE, cell, lines, named, number_of, tabulated
 
 FOUR_BAR = "cos(phi_i - psi_i) = K_1*cos(psi_i) - K_2*cos(phi_i) + K_3"
@@ -91,12 +91,36 @@ def given(told: Told) -> dict[str, Given]:
         found["s_s" if slides else "psi_s"] = quantity_of(asked.output_start, "m" if slides else "rad", said)
     if not slides:
         found["d"] = length(asked.frame, tr("length of the frame"))
+    if told.task.transmission:
+        found["mu_a"] = angle(told.task.transmission, tr("allowed transmission angle"))
     return found
 
 
 def _table(told: Told) -> FunctionTable:
     found: FunctionTable = told.order.spec.synthesis.function
     return found
+
+
+def further(told: Told) -> Iterator[Block]:
+    """The function, its precision points or those that are given."""
+    asked, table = told.asked, _table(told)
+    slides = asked.mechanism == "slider_crank"
+    if table.expression is not None:
+        text = _spelt(table.expression)
+        chebyshev = table.spacing == "chebyshev"
+        yield Datum(tr("the function"), ("y",), text=f"${text}$" if _readable(text) else table.expression)
+        spacing = tr("that of Chebyshev") if chebyshev else tr("equal, with both ends of the range")
+        yield Datum(tr("spacing of the precision points"), text=spacing)
+    for k, (x, y) in enumerate(table.table or [], 1):
+        yield Datum(tr("point {number} of the function", number=k), (f"x_{k}", f"y_{k}"), (x, y))
+    if table.input_range is not None:
+        yield Paragraph(tr("Crank and output run in proportion to $x$ and $y$, counted from where $x$ begins."))
+        return
+    said = tr("angles of the crank at the precision points, from where $x$ begins")
+    yield Datum(said, ("phi'_i",), tuple(np.degrees(asked.inputs).tolist()), "deg")
+    outputs = asked.outputs if slides else np.degrees(asked.outputs)
+    name, unit = ("s'_i", "m") if slides else ("psi'_i", "deg")
+    yield Datum(tr("outputs at these points, from where $x$ begins"), (name,), tuple(outputs.tolist()), unit)
 
 
 def blocks(told: Told) -> Iterator[Block]:
@@ -138,7 +162,7 @@ def _points(told: Told, asked: FunctionTask) -> Iterator[Block]:
         y_of = formula_of(table.expression)
         first, last = y_of(np.array([low, high])).tolist()
         columns = {"$x_i$": x, "$y_i$": y_of(x)}
-        text = table.expression.replace("^", "**").replace("log(", "ln(")
+        text = _spelt(table.expression)
         shown = tr("The function is $y = {formula}$.", formula=text) if _readable(text) else ""
         if table.spacing == "chebyshev":
             yield Paragraph(f"{shown} {tr('Its precision points have the spacing of Chebyshev:')}".strip())
@@ -193,6 +217,11 @@ def _points(told: Told, asked: FunctionTask) -> Iterator[Block]:
     labels = [str(k + 1) for k in range(len(asked.inputs))]
     yield Paragraph(tr("Table {tab:synthesis_points} has the precision points, counted from where $x$ begins."))
     yield tabulated(tr("Precision points"), columns, labels, head=tr("Point"), key="synthesis_points")
+
+
+def _spelt(expression: str) -> str:
+    """An expression of the spec as a formula."""
+    return expression.replace("^", "**").replace("log(", "ln(")
 
 
 def _readable(text: str) -> bool:

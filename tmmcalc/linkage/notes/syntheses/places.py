@@ -21,7 +21,7 @@ from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Display, Heading, Paragraph, Place, Result
+from tmmcalc.report.manuscript import Block, Datum, Display, Heading, Paragraph, Place, Result
 from tmmcalc.report.telling import held, lines, named, quantities, tabulated, vector
 
 CRANK = ("x_Bi = x_A + a*cos(phi_i)", "y_Bi = y_A + a*sin(phi_i)")
@@ -72,9 +72,27 @@ def given(told: Told) -> dict[str, Given]:
     if asked.region is not None:
         low, high = asked.region
         said = tr("corners of the region of the pivots")
-        for name, at in (("1", low), ("2", high)):
-            found |= {f"x_{name}": length(at.real, said), f"y_{name}": length(at.imag, said)}
+        for name, at in (("I", low), ("II", high)):
+            found |= {f"x_{{{name}}}": length(at.real, said), f"y_{{{name}}}": length(at.imag, said)}
     return found
+
+
+def further(told: Told) -> Iterator[Block]:
+    """The points or poses, and whether the crank has to turn fully."""
+    asked: PoseTask = told.asked
+    if asked.region is not None:
+        yield Paragraph(tr("The fixed pivots stand in the rectangle between the corners of the region."))
+    for k, at in enumerate(asked.points, 1):
+        yield Datum(tr("point {number}", number=k), (f"x_{k}", f"y_{k}"), (at.real, at.imag), "m")
+    if asked.angles is not None:
+        for k, beta in enumerate(np.degrees(asked.angles).tolist(), 1):
+            yield Datum(tr("angle of the body at point {number}", number=k), (f"beta_{k}",), (beta,), "deg")
+    if asked.timing is not None:
+        for k, tau in enumerate(np.degrees(asked.timing).tolist(), 1):
+            said = tr("turn of the crank from the first point to point {number}", number=k)
+            yield Datum(said, (f"tau_{k}",), (tau,), "deg")
+    if asked.full_turn:
+        yield Datum(tr("motion of the crank"), text=tr("a full turn"))
 
 
 def blocks(told: Told) -> Iterator[Block]:

@@ -59,6 +59,18 @@ def _lengths(asked: CrankRockerTask) -> list[str]:
     return [name for name in LENGTHS if getattr(asked, name) is not None]
 
 
+def further(told: Told) -> Iterator[Block]:
+    """The rule that settles the free size."""
+    asked: CrankRockerTask = told.asked
+    if asked.transmission is None and len(_lengths(asked)) == 1:
+        yield Paragraph(
+            tr(
+                "One size is free. That linkage is taken whose least transmission angle is largest, no link being "
+                "longer than $m$ cranks."
+            )
+        )
+
+
 def blocks(told: Told) -> Iterator[Block]:
     """The family of swing and time ratio, the condition that takes one member of it, its sizes."""
     asked: CrankRockerTask = told.asked

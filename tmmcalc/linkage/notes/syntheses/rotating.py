@@ -37,6 +37,13 @@ def given(told: Told) -> dict[str, Given]:
     return found | {"e": length(asked.guide, tr_name("guide over the pivot C"))} if asked.guide else found
 
 
+def further(told: Told) -> Iterator[Block]:
+    """The sense in which the guide is off the pivot."""
+    asked: RotatingTask = told.asked
+    if asked.guide:
+        yield Paragraph(tr("The distance $e$ is positive to the side of the pivot $A$ of the crank."))
+
+
 def blocks(told: Told) -> Iterator[Block]:
     """In closed form where the guide passes the pivot, else arm and line of centres as roots."""
     asked: RotatingTask = told.asked

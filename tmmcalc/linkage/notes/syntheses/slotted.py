@@ -52,6 +52,12 @@ def by_clearance(asked: SlottedTask) -> bool:
     return asked.guide is None or (asked.crank is None and asked.centres is None)
 
 
+def further(told: Told) -> Iterator[Block]:
+    """The rule of the layout."""
+    if by_clearance(told.asked):
+        yield Paragraph(tr("The guide passes the circle of the crank pin with some clearance, $e = L + k*r$."))
+
+
 def blocks(told: Told) -> Iterator[Block]:
     """Swing, arm, crank with the line of centres, guide, rod."""
     asked: SlottedTask = told.asked

@@ -43,6 +43,19 @@ def given(told: Told) -> dict[str, Given]:
     return found
 
 
+def further(told: Told) -> Iterator[Block]:
+    """What is found where it is not given."""
+    asked: TrailingRodTask = told.asked
+    yield Paragraph(
+        tr(
+            "Angles of the lug are those from the master rod $AB$, those of the cylinders from the axis of the right "
+            "one to that of the left one."
+        )
+    )
+    if asked.lug_angle is not None or asked.length is not None:
+        yield Paragraph(tr("What is given is kept, also where the dead centres are not equally high by it."))
+
+
 def blocks(told: Told) -> Iterator[Block]:
     """The angle of the lug and the length of the rod, beside those that are given."""
     asked: TrailingRodTask = told.asked

@@ -1,0 +1,144 @@
+"""What is given of a vibratory device: its bodies and springs, what excites it, its starts, the points of the part."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from tmmcalc.machine.notes.motors import called, plate
+from tmmcalc.report.language import tr
+from tmmcalc.report.manuscript import Block, Datum, Paragraph
+from tmmcalc.report.telling import data_of
+from tmmcalc.vibration.vibrator.task import Drive, RunUp, VibratorTask
+
+
+def coordinates() -> Paragraph:
+    """The bodies of the device, and its seven coordinates."""
+    return Paragraph(
+        tr(
+            "The device has a ring on four rods, a gripper with the part that hangs in the ring on four crossed flat "
+            "springs, and an exciter, whose motor with the unbalance sits on an elastic plate; the axis of the motor "
+            "is inclined by 45°. Its seven coordinates are the displacements $q_1 = x$, $q_2 = y$ of the ring and its "
+            "turn $q_3 = phi$ about the vertical, the tilts $q_4 = theta_x$, $q_5 = theta_y$ of the gripper about the "
+            "horizontal axes and its vertical displacement $q_6 = z$, the turn $q_7 = gamma$ of the exciter about its "
+            "hinge."
+        )
+    )
+
+
+def whole(task: VibratorTask) -> Iterator[Block]:
+    """All that is given, with the axes, the starts and the points."""
+    yield coordinates()
+    yield Paragraph(
+        tr(
+            "The axes $x$, $y$ run along the flat springs, $z$ upwards. The hinge is a horizontal line across the "
+            "bisector of $x$ and $y$, along which is the projection of the axis of the motor."
+        )
+    )
+    yield from rows(task)
+    if task.curve is not None:
+        said = tr("Speeds between which the resonance curve is sought")
+        yield Datum(said, ("Omega",), (task.curve.low, task.curve.high), "rad/s")
+    if task.run_up is not None:
+        yield from _run_up(task.run_up)
+    if task.drive is not None:
+        yield from _drive(task.drive)
+    for name, at in task.points:
+        said = tr("Point {point} of the part at rest, from the axis in the plane of the flat springs", point=name)
+        yield Datum(said, (f"x_{{{name}}}", f"y_{{{name}}}", f"z_{{{name}}}"), at, "m")
+
+
+def _run_up(asked: RunUp) -> Iterator[Datum]:
+    said = tr("Start with a given angle: constant angular acceleration of the rotor up to its speed")
+    yield Datum(said, ("eps",), (asked.acceleration,), "rad/s^2")
+    yield Datum(tr("Time of this start"), ("t_e",), (asked.duration,), "s")
+    pull = tr("centrifugal force and pull along its path") if asked.tangential else tr("centrifugal force alone")
+    yield Datum(tr("What of the unbalance is counted while the rotor speeds up"), text=pull)
+
+
+def _drive(asked: Drive) -> Iterator[Datum]:
+    """The start by the motor, with what the plate of the motor says."""
+    yield Datum(tr("Start by the motor: what drives the rotor"), text=called(asked.kind))
+    yield from data_of({name: each for name, each in plate(asked.motor).items() if each.value})
+    if asked.motor.points:
+        speeds, moments = zip(*asked.motor.points, strict=True)
+        yield Datum(tr("Speeds of the points of the characteristic"), ("omega_i",), speeds, "rad/s")
+        yield Datum(tr("Moments at these points"), ("M_i",), moments, "N*m")
+    yield Datum(tr("Speed of the rotor at the beginning of this start"), ("omega_0",), (asked.initial,), "rad/s")
+    yield Datum(tr("Drag of bearings and air over the speed"), ("d_r",), (asked.drag,), "N*m*s/rad")
+    yield Datum(tr("Time of the start by the motor"), ("t_d",), (asked.duration,), "s")
+
+
+def rows(task: VibratorTask) -> Iterator[Datum]:
+    """The data as they stand in the table of the chapter."""
+    ring, gripper, exciter, rods = task.ring, task.gripper, task.exciter, task.rods
+    inertia = "kg*m^2"
+    yield Datum(tr("Mass of the ring"), ("m_1",), (ring.mass,), "kg")
+    yield Datum(tr("Moment of inertia of the ring about the vertical"), ("J_z1",), (ring.inertia,), inertia)
+    yield Datum(tr("Mass of the gripper with the part"), ("m_2",), (gripper.mass,), "kg")
+    yield Datum(tr("Centre of mass of the gripper below the flat springs"), ("l",), (gripper.drop,), "m")
+    yield Datum(tr("Moment of inertia of the gripper about the axis along x"), ("J_ξ",), (gripper.inertia_x,), inertia)
+    yield Datum(tr("Moment of inertia of the gripper about the axis along y"), ("J_η",), (gripper.inertia_y,), inertia)
+    yield Datum(tr("Moment of inertia of the gripper about the vertical"), ("J_ζ",), (gripper.inertia_z,), inertia)
+    yield Datum(tr("Mass of the exciter"), ("m_3",), (exciter.mass,), "kg")
+    yield Datum(tr("Centre of mass of the exciter from the vertical axis"), ("R_0",), (exciter.radius,), "m")
+    yield Datum(tr("Centre of mass of the exciter from the hinge"), ("R^{*}",), (exciter.arm,), "m")
+    yield Datum(
+        tr("Angle of the arm of the exciter above the horizontal"), ("beta",), (math.degrees(exciter.arm_angle),), "deg"
+    )
+    yield Datum(
+        tr("Moment of inertia of the exciter about the line along the hinge"),
+        ("J_x3",),
+        (exciter.inertia_hinge,),
+        inertia,
+    )
+    yield Datum(tr("Moment of inertia of the exciter about the vertical"), ("J_z3",), (exciter.inertia_z,), inertia)
+    yield Datum(tr("Stiffness of the plate against a turn"), ("c_2",), (task.plate,), "N*m/rad")
+    yield Datum(tr("Ends of the rods from the vertical axis"), ("R_2",), (rods.radius,), "m")
+    if rods.stiffness is not None:
+        yield Datum(tr("Stiffness across one rod"), ("c",), (rods.stiffness,), "N/m")
+    else:
+        yield Datum(tr("Diameter of a rod"), ("d_c",), (rods.diameter,), "m")
+        yield Datum(tr("Length of a rod"), ("l_c",), (rods.length,), "m")
+        yield Datum(tr("Modulus of elasticity of the rods"), ("E_c",), (rods.young,), "Pa")
+    yield from _of_flats(task)
+    yield Datum(tr("Acceleration of gravity"), ("g",), (task.gravity,), "m/s^2")
+    if task.damping.direct:
+        units = ["N*s/m", "N*s/m", *["N*m*s/rad"] * 3, "N*s/m", "N*m*s/rad"]
+        for k, (value, unit) in enumerate(zip(task.damping.direct, units, strict=True), 1):
+            if value:
+                yield Datum(tr("Damping coefficient of coordinate {k}", k=k), (f"b_{k}",), (value,), unit)
+    else:
+        yield Datum(tr("Part of critical damping of every mode"), ("zeta",), (task.damping.ratio,))
+    if task.unbalance is not None:
+        unbalance = task.unbalance
+        yield Datum(tr("Static moment of the unbalance"), ("m_r",), (unbalance.moment,), "kg*m")
+        yield Datum(tr("Centre of the path of the unbalance from the vertical axis"), ("R",), (unbalance.radius,), "m")
+        yield Datum(tr("Centre of the path of the unbalance from the hinge"), ("R_u",), (unbalance.arm,), "m")
+        yield Datum(
+            tr("Angle of the arm of the unbalance above the horizontal"),
+            ("delta",),
+            (math.degrees(unbalance.arm_angle),),
+            "deg",
+        )
+        if unbalance.rotor:
+            yield Datum(tr("Moment of inertia of the rotor"), ("J_r",), (unbalance.rotor,), inertia)
+    if task.speed is not None:
+        yield Datum(tr("Speed of the rotor"), ("Omega",), (task.speed,), "rad/s")
+
+
+def _of_flats(task: VibratorTask) -> Iterator[Datum]:
+    flats = task.flats
+    if flats.vertical is not None:
+        yield Datum(tr("Vertical stiffness of one flat spring"), ("c_1",), (flats.vertical,), "N/m")
+    if flats.tilt is not None:
+        yield Datum(tr("Stiffness of the flat springs against a tilt"), ("c_t",), (flats.tilt,), "N*m/rad")
+    if flats.width:
+        yield Datum(tr("Width of a flat spring"), ("b",), (flats.width,), "m")
+        yield Datum(tr("Thickness of a flat spring"), ("h",), (flats.thickness,), "m")
+        yield Datum(tr("Length of a flat spring"), ("l_1",), (flats.length,), "m")
+        yield Datum(tr("Inner end of a flat spring from the axis"), ("l_2",), (flats.offset,), "m")
+        yield Datum(tr("Modulus of elasticity of the flat springs"), ("E",), (flats.young,), "Pa")
+        yield Datum(tr("Shear modulus"), ("G",), (flats.shear,), "Pa")
+        if flats.torsion is not None:
+            yield Datum(tr("Torsion coefficient of the section"), ("alpha_t",), (flats.torsion,))
