@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import isclose
 
 from tmmcalc.note.assembled import shown_unit
 from tmmcalc.report.formula.digits import RESULT, significant
@@ -10,6 +11,8 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Chapter, Datum, Figure, Paragraph, Table
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.telling import points
+
+WHOLE = 10  # digits up to which a number that is given by them is told whole
 
 
 def task(given: Sequence[Block], sought: Sequence[str], own: Sequence[Block]) -> Iterator[Chapter]:
@@ -40,6 +43,16 @@ def row_of(datum: Datum) -> tuple[str, str, str]:
     unit, factor = printed_as(datum.unit)
     sign = shown_unit(unit)
     each = sign if unit == "deg" else ""  # every angle has its own
-    values = "; ".join(f"${significant(value * factor, RESULT)}${each}" for value in datum.values)
+    values = "; ".join(f"${_figures(value * factor)}${each}" for value in datum.values)
     said = values if each or not sign else f"{values} {sign}"
     return datum.what, ", ".join(f"${key}$" for key in datum.keys), datum.text or said
+
+
+def _figures(value: float) -> str:
+    """A number that is given, as it was written; one that is not, as a distance of two points, as a result is.
+
+    >>> _figures(3.03125), _figures(2 / 3)
+    ('3.03125', '0.66667')
+    """
+    whole = isclose(value, float(f"{value:.{WHOLE}g}"), rel_tol=1e-12)
+    return significant(value, WHOLE if whole else RESULT)
