@@ -60,7 +60,7 @@ def blocks(order: Order) -> Iterator[Block]:
         own = found.task
         same = (each for each in contours if (each.name, tuple(each.teeth)) == (own.name, tuple(own.teeth)))
         span = next((_span(each, found) for each in same), None)
-        listed = on_crank is not None and own == on_crank.pair or table is not None and not table.of_train
+        listed = (on_crank is not None and own == on_crank.pair) or (table is not None and not table.of_train)
         yield from _pair(told_of(found), span, f"pair{k}", _teeth(found.task) if pairs[1:] else "", listed=listed)
 
 

@@ -73,8 +73,8 @@ def _equations(motion: TimedMotion, machine: Machine) -> Iterator[Block]:
         return
     yield Paragraph(
         tr(
-            "The drive is a chain of masses on elastic shafts. With moments of inertia $J_{d,i}$, stiffnesses $c_i$ and "
-            "dampings $d_i$ reduced to the crank"
+            "The drive is a chain of masses on elastic shafts. With moments of inertia $J_{d,i}$, stiffnesses $c_i$ "
+            "and dampings $d_i$ reduced to the crank"
         )
     )
     yield Display(read("J_{d,i}*eps_i = M_{i−1,i} - M_{i,i+1}"))

@@ -89,7 +89,9 @@ def _pair(found: MeshPair, of: Of) -> Iterator[Datum]:
 def _quantities(found: MeshPair, of: Of, without: tuple[str, ...] = ()) -> Iterator[Datum]:
     """The numbers that are given, each of its wheel."""
     task, lexicon = found.task, told_of(found).lexicon
-    said = {f"{letter}_{k}": name(wheel) for letter, name in OF_WHEELS.items() for k, wheel in enumerate(task.wheels, 1)}
+    said = {
+        f"{letter}_{k}": name(wheel) for letter, name in OF_WHEELS.items() for k, wheel in enumerate(task.wheels, 1)
+    }
     if task.helix:
         said["m"] = tr("module in the normal section")
     for name, given in something(given_quantities(found), lexicon):
@@ -111,19 +113,19 @@ def _limits(task: PairTask, keys: Sequence[PairKeys], of: Of) -> Iterator[Datum]
     """Limits that the spec puts, by which a pair is judged and its shifts are chosen."""
     written = {key for table in keys for key in table.model_fields_set}
     limits = task.limits
-    for key, said, letter, value in (
-        ("contact_ratio_min", tr("least transverse contact ratio"), "eps_alpha", limits.contact_ratio),
-        ("contact_ratio_wanted", tr("wanted transverse contact ratio"), "eps_alpha", limits.contact_ratio_wanted),
-        ("tip_thickness_min", tr("least thickness of the tips, in modules"), "s_a/m", limits.tip_thickness),
-        ("tip_thickness_wanted", tr("wanted thickness of the tips, in modules"), "s_a/m", limits.tip_thickness_wanted),
-        ("sliding_max", tr("largest wanted specific sliding"), "theta", limits.sliding),
-        ("pressure_max", tr("largest wanted specific pressure"), "lambda", limits.pressure),
+    for key, said, value in (
+        ("contact_ratio_min", tr("least transverse contact ratio"), limits.contact_ratio),
+        ("contact_ratio_wanted", tr("wanted transverse contact ratio"), limits.contact_ratio_wanted),
+        ("tip_thickness_min", tr("least thickness of the tips, in modules"), limits.tip_thickness),
+        ("tip_thickness_wanted", tr("wanted thickness of the tips, in modules"), limits.tip_thickness_wanted),
+        ("sliding_max", tr("largest wanted specific sliding"), limits.sliding),
+        ("pressure_max", tr("largest wanted specific pressure"), limits.pressure),
     ):
         if key in written and value is not None:
-            yield Datum(of(said), (letter,), (value,))
+            yield Datum(of(said), (), (value,))
     if "angle_range" in written:
         said = tr("usual operating pressure angles, from and to")
-        yield Datum(of(said), ("alpha_tw",), tuple(map(math.degrees, limits.angles)), "deg")
+        yield Datum(of(said), (), tuple(map(math.degrees, limits.angles)), "deg")
     if "undercut" in written:
         yield Datum(of(tr("undercut")), text=tr("none") if task.strict else tr("admitted"))
 
@@ -202,4 +204,4 @@ def of_wheel(order: Order) -> Iterator[Datum]:
         diameters = tuple(2 * radius for radius in found.task.circles)
         yield Datum(tr("diameters of circles on which the tooth is asked for"), (), diameters, "m")
     if found.task.tip_thickness:
-        yield Datum(tr("least thickness of the tips, in modules"), ("s_a/m",), (found.task.tip_thickness,))
+        yield Datum(tr("least thickness of the tips, in modules"), (), (found.task.tip_thickness,))

@@ -9,6 +9,7 @@ from tmmcalc.gears.notes.letters import letter
 from tmmcalc.gears.notes.strength import steel_word
 from tmmcalc.gears.pictures.words import short_name
 from tmmcalc.gears.selection.task import WEIGHTED
+from tmmcalc.gears.strength.letters import LETTERS
 from tmmcalc.gears.strength.material import Material
 from tmmcalc.gears.tables.strength import StrengthTable
 from tmmcalc.gears.tables.tasks.sizing import to_selection
@@ -66,8 +67,7 @@ def of_material(material: Material | None, said: str, *, planets: bool) -> Itera
         yield Datum(tr("{material}: row of table D.4.3", material=said), text=material.row)
     for key, limit in (("sigma_Hlim", material.contact_limit), ("sigma_Flim^0", material.bending_limit)):
         if limit is not None:
-            meaning = {"sigma_Hlim": tr("limit of contact endurance"), "sigma_Flim^0": tr("limit of bending endurance")}
-            yield Datum(f"{said}: {meaning[key]}", (letter(key),), (limit / 1e6,), "MPa")
+            yield Datum(f"{said}: {tr_name(LETTERS[key])}", (letter(key),), (limit / 1e6,), "MPa")
 
 
 def _sides(load: str | None, *, planets: bool) -> str:
@@ -80,19 +80,19 @@ def _sides(load: str | None, *, planets: bool) -> str:
 def _stages(table: StrengthTable) -> Iterator[Datum]:
     """What is given of each stage, or of all alike."""
     megapascal = 1e-6
-    for values, key, said, factor, unit in (
-        (table.permissible_contact, "sigma_HP", tr("permissible contact stress"), megapascal, "MPa"),
-        (table.permissible_bending, "sigma_FP", tr("permissible bending stress"), megapascal, "MPa"),
-        (table.face_width, "psi_bd", tr("ratio of the face width to the diameter of the pinion"), 1.0, ""),
-        (table.module, "m", tr("module"), 1.0, "m"),
-        (table.width, "b", tr("face width"), 1.0, "m"),
+    for values, key, factor, unit in (
+        (table.permissible_contact, "sigma_HP", megapascal, "MPa"),
+        (table.permissible_bending, "sigma_FP", megapascal, "MPa"),
+        (table.face_width, "psi_bd", 1.0, ""),
+        (table.module, "m", 1.0, "m"),
+        (table.width, "b", 1.0, "m"),
     ):
         if values is not None:
+            said = tr_name(LETTERS[key])
             meaning = tr("{quantity}, stage by stage", quantity=said) if len(values) > 1 else said
             yield Datum(meaning, (letter(key),), tuple(factor * value for value in values), unit)
     if table.face_width is None and table.module is None:
-        said = tr("ratio of the face width to the diameter of the pinion")
-        yield Datum(said, (letter("psi_bd"),), text=tr("middle of table D.4.2"))
+        yield Datum(tr_name(LETTERS["psi_bd"]), (letter("psi_bd"),), text=tr("middle of table D.4.2"))
     if table.arrangement is not None:
         said = tr("place of the wheels between their bearings, row of table D.4.1")
         yield Datum(said, (), tuple(map(float, table.arrangement)))
@@ -134,8 +134,8 @@ def of_choice(order: Order) -> Iterator[Datum]:
     for key, weight in task.weights:
         yield Datum(tr("weight of the criterion “{name}”", name=short_name(key)), (), (weight,))
     yield Datum(tr("density of steel"), ("rho",), (build.density,), "kg/m^3")
-    yield Datum(tr("coefficient of the mass of a webbed wheel"), ("alpha_1",), (build.webbed_mass,))
-    yield Datum(tr("coefficient of the inertia of a webbed wheel"), ("alpha_2",), (build.webbed_inertia,))
+    yield Datum(tr("coefficient of the mass of a webbed wheel"), ("alpha_M",), (build.webbed_mass,))
+    yield Datum(tr("coefficient of the inertia of a webbed wheel"), ("alpha_J",), (build.webbed_inertia,))
     if rings:
         yield Datum(tr("depth of a ring with its rim over the module"), (), (build.rim,))
     if task.series:

@@ -100,7 +100,9 @@ def _limits(requests: Sequence[Request]) -> Iterator[Datum]:
         said = tr("numbers of teeth of rings, from and to")
         yield from _ends(said, "ring", limits.least_ring, limits.largest_ring)
     if limits.largest_sum is not None:
-        yield Datum(tr("largest sum of the teeth of wheels 1 and 2"), (letter("sum_max"),), (float(limits.largest_sum),))
+        yield Datum(
+            tr("largest sum of the teeth of wheels 1 and 2"), (letter("sum_max"),), (float(limits.largest_sum),)
+        )
 
 
 def _ends(said: str, name: str, low: float, high: float) -> Iterator[Datum]:
