@@ -43,16 +43,17 @@ def row_of(datum: Datum) -> tuple[str, str, str]:
     unit, factor = printed_as(datum.unit)
     sign = shown_unit(unit)
     each = sign if unit == "deg" else ""  # every angle has its own
-    values = "; ".join(f"${_figures(value * factor)}${each}" for value in datum.values)
+    scaled = [value * factor for value in datum.values]
+    values = "; ".join(f"${significant(value, _digits(scaled))}${each}" for value in scaled)
     said = values if each or not sign else f"{values} {sign}"
     return datum.what, ", ".join(f"${key}$" for key in datum.keys), datum.text or said
 
 
-def _figures(value: float) -> str:
-    """A number that is given, as it was written; one that is not, as a distance of two points, as a result is.
+def _digits(values: Sequence[float]) -> int:
+    """How many digits numbers that are given have: as they were written, or, found of what was, those of a result.
 
-    >>> _figures(3.03125), _figures(2 / 3)
-    ('3.03125', '0.66667')
+    >>> _digits([3.03125]), _digits([2 / 3])
+    (10, 5)
     """
-    whole = isclose(value, float(f"{value:.{WHOLE}g}"), rel_tol=1e-12)
-    return significant(value, WHOLE if whole else RESULT)
+    whole = all(isclose(value, float(f"{value:.{WHOLE}g}"), rel_tol=1e-12) for value in values)
+    return WHOLE if whole else RESULT

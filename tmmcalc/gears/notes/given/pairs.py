@@ -20,7 +20,7 @@ from tmmcalc.gears.tables.pair import PairKeys, PairMeshTable
 from tmmcalc.gears.tables.tasks.open_pair import to_open_pair
 from tmmcalc.gears.tables.tasks.strength import to_material
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Datum
 
 Of = Callable[[str], str]  # a quantity with the pair that it is of, where there are several
@@ -170,7 +170,7 @@ def _open(order: Order, found: MeshPair) -> Iterator[Datum]:
     else:
         on_crank = to_open_pair(order.spec)
         assert on_crank is not None
-        yield Datum(of(tr("efficiency")), ("eta_o",), (on_crank.efficiency,))
+        yield Datum(of(tr_name("efficiency")), ("eta_o",), (on_crank.efficiency,))
     if table.inertia is not None:
         said = tr("moment of inertia of the pair reduced to the crank")
         yield Datum(of(said), ("J_ab",), (table.inertia,), "kg*m^2")

@@ -133,7 +133,7 @@ def _demands(requests: Sequence[Request]) -> Iterator[Datum]:
     yield Datum(tr("undercut"), text=undercut)
     angles = _each(task.demands.largest_angle for task in tasks if task.demands.largest_angle is not None)
     if angles:
-        said = tr("largest operating pressure angle")
+        said = tr_name("largest operating pressure angle")
         yield Datum(said, (letter("alpha_max"),), tuple(map(math.degrees, angles)), "deg")
     for name, key, meaning, factor, unit in (
         ("stage_ratio", "u_max", tr("largest ratio of one stage"), 1.0, ""),

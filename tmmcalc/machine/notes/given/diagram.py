@@ -9,6 +9,7 @@ from tmmcalc.machine.model import InertiaPoints, TorqueFormula, TorqueHarmonics,
 from tmmcalc.machine.motors.model import RPM
 from tmmcalc.machine.tables.tasks.machine import to_torque
 from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Datum
 
@@ -43,7 +44,7 @@ def _law(task: TorqueTask) -> Iterator[Datum]:
     said = tr("moment on the shaft “{name}”; one that resists is negative", name=task.name)
     match task.law:
         case TorqueFormula(text=formula, constants=constants):
-            plain = formula.replace("**", "^").replace("$", "")
+            plain = spelt(formula.replace("**", "^").replace("$", ""))
             over = tr("{formula} {unit}, over the angle of the shaft in rad", formula=plain, unit=tr_unit("N*m"))
             yield Datum(said, text=over)
             for name, value in constants:
@@ -72,9 +73,11 @@ def _inertia(found: InertiaPoints, cycle: float) -> Iterator[Datum]:
 
 def _places(said: str, theta: Sequence[float], period: float) -> Datum:
     """The angles of points; equal steps of a period by their number."""
-    step = period / len(theta)
-    if all(abs(angle - k * step) < EVEN for k, angle in enumerate(theta)):
-        return Datum(said, text=tr("{count} equal steps of the period, from zero on", count=len(theta)))
+    ends = abs(theta[-1] - period) < EVEN  # whether the end of the period has its own value
+    count = len(theta) - ends
+    if all(abs(angle - k * period / count) < EVEN for k, angle in enumerate(theta)):
+        text = tr("{count} equal steps of the period, from zero on", count=count)
+        return Datum(said, text=tr("{steps}, with its end", steps=text) if ends else text)
     return Datum(said, (), tuple(map(math.degrees, theta)), "deg")
 
 

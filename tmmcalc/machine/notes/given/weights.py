@@ -17,8 +17,8 @@ from tmmcalc.report.manuscript import Datum
 
 def of_weights(order: Order) -> Iterator[Datum]:
     """Schemes where the spec names them, what is chosen of their weights, counterweights and weights of one's own."""
-    found = order.results.get("balance")
-    if not isinstance(found, Balancing):
+    found: Balancing | None = order.results["balance"].linkage if "balance" in order.results else None
+    if found is None:
         return
     table: BalanceTable | None = order.spec.balance
     if table is not None and "schemes" in table.model_fields_set:
