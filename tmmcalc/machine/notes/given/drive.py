@@ -12,7 +12,7 @@ from tmmcalc.machine.tables.names import shaft_names
 from tmmcalc.machine.tables.shafts import ShaftTable
 from tmmcalc.machine.tables.tasks.machine import CHOOSE, to_motion
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Datum
 
 DRIVEN = {"motion", "flywheel", "transient"}  # stages that ask what drives the machine
@@ -40,7 +40,7 @@ def of_drive(order: Order) -> Iterator[Datum]:
 def _motor(table: MotorTable, power: Power) -> Iterator[Datum]:
     """The plate of a motor that is given; of one to choose what it has to keep."""
     if table.name == CHOOSE:
-        yield Datum(tr("motor"), text=tr("the least of the catalogue that does"))
+        yield Datum(tr_name("motor"), text=tr("the least of the catalogue that does"))
         if table.synchronous_speed is not None:
             said = tr("synchronous speed of the motor")
             yield Datum(said, ("n_c",), (table.synchronous_speed * RPM,), "rpm")

@@ -42,7 +42,7 @@ def _rim(found: Flywheel, *, proportioned: bool) -> Iterator[Datum]:
     if rim is None:
         return
     yield Datum(tr("what the rim is made of"), text=tr_name(rim.material.name))
-    yield Datum(tr("density of the rim"), ("rho_r",), (rim.material.density,), "kg/m^3")
+    yield Datum(tr_name("density of the rim"), ("rho_r",), (rim.material.density,), "kg/m^3")
     yield Datum(tr("highest allowed speed of the rim"), ("v_a",), (rim.material.rim_speed,), "m/s")
     yield Datum(tr("share of the rim in the moment of inertia"), ("c_J",), (DEFAULT.rim_inertia,))
     yield Datum(tr("share of the rim in the mass"), ("c_m",), (DEFAULT.rim_mass,))

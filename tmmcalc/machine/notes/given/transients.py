@@ -10,7 +10,7 @@ from tmmcalc.machine.notes.motors import driven
 from tmmcalc.machine.tables.names import transient_names
 from tmmcalc.machine.tables.transients import BrakeTable, BrakingTable, LoadStepTable, TransientTable
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Datum
 
 Of = Callable[[str], str]  # a quantity with the name of the motion that it is of
@@ -51,7 +51,7 @@ def _beginning(table: TransientTable, of: Of) -> Iterator[Datum]:
 def _motor(table: TransientTable, motor: Motor, of: Of) -> Iterator[Datum]:
     """When the motor is on, and how it is connected if it brakes."""
     if table.motor == "off":
-        yield Datum(of(tr("motor")), text=tr("switched off"))
+        yield Datum(of(tr_name("motor")), text=tr("switched off"))
     for on, off in table.motor_on or ():
         yield Datum(of(tr("motor on from, and to")), (), (on, off), "s")
     if table.braking is not None:
@@ -65,7 +65,7 @@ def _braking(table: BrakingTable, motor: Motor, of: Of) -> Iterator[Datum]:
         "dynamic": tr("it brakes, its armature closed on a resistor"),
         "plugging": tr("it brakes, its armature turned round; at rest it is switched off"),
     }
-    yield Datum(of(tr("motor")), text=kinds[table.kind])
+    yield Datum(of(tr_name("motor")), text=kinds[table.kind])
     yield Datum(of(tr("resistance added to the armature circuit")), ("R_a",), (table.resistance,), "Ohm")
     if table.kind == "regenerative" and (voltage := table.voltage or motor.voltage):
         yield Datum(of(tr("voltage that the armature is connected to")), ("V",), (voltage,), "V")
