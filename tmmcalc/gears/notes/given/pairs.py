@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
+from tmmcalc.gears.involute.measure.span import Rule
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.notes.given.strength import of_material
@@ -15,10 +16,12 @@ from tmmcalc.gears.notes.pairs.tables import something
 from tmmcalc.gears.notes.wheel import given_of_wheel
 from tmmcalc.gears.pictures.words import pair_name
 from tmmcalc.gears.single.results import SingleWheel
+from tmmcalc.gears.single.task import WheelTask
 from tmmcalc.gears.tables.open_pair import OpenPairTable
 from tmmcalc.gears.tables.pair import PairKeys, PairMeshTable
 from tmmcalc.gears.tables.tasks.open_pair import to_open_pair
 from tmmcalc.gears.tables.tasks.strength import to_material
+from tmmcalc.gears.tables.train import TrainTable
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Datum
@@ -29,7 +32,7 @@ OF_WHEELS: Mapping[str, Callable[[str], str]] = {  # what is given of a wheel, b
     "x": lambda wheel: tr("shift coefficient of wheel {wheel}", wheel=wheel),
     "r_a": lambda wheel: tr("tip radius of wheel {wheel}", wheel=wheel),
 }
-OF_RACK = ("alpha", "h_a^{*}")  # of its rack that a train has told
+RACK = ("alpha", "h_a^{*}", "c^{*}")
 
 
 def of_pairs(order: Order) -> Iterator[Datum]:
@@ -43,8 +46,7 @@ def of_pairs(order: Order) -> Iterator[Datum]:
         for k, found in enumerate(pairs):
             of = _named(found.task, k) if len(pairs) > 1 else str
             keys = [spec.pair, *_own(spec.pair.meshes, found.task, k)]
-            if not spec.pair.of_train:
-                yield from _pair(found, of)
+            yield from _rack(found, of, spec.train) if spec.pair.of_train else _pair(found, of)
             yield Datum(of(tr("choice of the shifts")), text=_rule(found.task, keys))
             yield from _limits(found.task, keys, of)
             yield from _measures(found.task, of)
@@ -100,13 +102,36 @@ def _quantities(found: MeshPair, of: Of, without: tuple[str, ...] = ()) -> Itera
             yield Datum(of(said.get(name, given.meaning)), (name,), (given.value,), given.unit)
 
 
+def _rack(found: MeshPair, of: Of, train: TrainTable) -> Iterator[Datum]:
+    """The rack of a mesh of a train: what of it the train has not told."""
+    names = [name for name in RACK if name not in _told_rack(found.task, train)]
+    lexicon = told_of(found).lexicon
+    for name, given in something(names, lexicon):
+        assert isinstance(given.value, float)
+        yield Datum(of(given.meaning), (name,), (given.value,), given.unit)
+    yield from _rounding(found.task, of)
+
+
+def _told_rack(task: PairTask, train: TrainTable | None) -> tuple[str, ...]:
+    """What of the rack of a pair its train tells: angle and addendum, where they are the same."""
+    same = train is not None and (train.pressure_angle, float(train.addendum)) == (task.rack.angle, task.rack.addendum)
+    return RACK[:2] if same else ()
+
+
 def _tips(task: PairTask, of: Of) -> Iterator[Datum]:
-    """The rounding of the rack's tips where it is given, and how high the teeth of the wheels are."""
-    if task.rack.tip_radius is not None:
-        yield Datum(of(tr("radius of the rounding of the rack’s tips, in modules")), (), (task.rack.tip_radius,))
+    """How the tips of the rack are rounded, and how high the teeth of the wheels are."""
+    yield from _rounding(task, of)
     if task.kind == "external" and task.tips == (None, None):
         said_of_tips = tr("shortened by $Deltay*m$, which keeps the radial clearance $c^{*}*m$")
         yield Datum(of(tr("tips of the teeth")), text=said_of_tips)
+
+
+def _rounding(task: PairTask | WheelTask, of: Of) -> Iterator[Datum]:
+    """The rounding of the rack's tips where it is given, and its section across helical teeth."""
+    if task.rack.tip_radius is not None:
+        yield Datum(of(tr("radius of the rounding of the rack’s tips, in modules")), (), (task.rack.tip_radius,))
+    if task.helix and task.fillet == "circle":
+        yield Datum(of(tr("rounding of the rack across helical teeth")), text=tr("a circle, as the textbook has it"))
 
 
 def _limits(task: PairTask, keys: Sequence[PairKeys], of: Of) -> Iterator[Datum]:
@@ -142,10 +167,13 @@ def _measures(task: PairTask, of: Of) -> Iterator[Datum]:
         yield Datum(of(said), tuple(balls), tuple(balls.values()), "m")
     elif asked.body == "pins":
         yield Datum(of(tr("measured over")), text=tr("pins"))
-    if task.helix and task.face_width is not None and asked.rule == "exact":
+    yield from _width(task, asked.rule, of)
+
+
+def _width(task: PairTask | WheelTask, rule: Rule, of: Of) -> Iterator[Datum]:
+    """The face width that a span of helical teeth needs, where it is not that of the textbook."""
+    if task.helix and task.face_width is not None and rule == "exact":
         yield Datum(of(tr("face width that a span needs")), text="$W <= b/sin(beta_b)$")
-    if task.fillet == "circle":
-        yield Datum(of(tr("rounding of the rack across helical teeth")), text=tr("a circle, as the textbook has it"))
 
 
 def _open(order: Order, found: MeshPair) -> Iterator[Datum]:
@@ -156,11 +184,9 @@ def _open(order: Order, found: MeshPair) -> Iterator[Datum]:
     def of(what: str) -> str:
         return f"{name}: {what}"
 
-    rack, train = found.task.rack, order.spec.train
-    same = train is not None and (train.pressure_angle, float(train.addendum)) == (rack.angle, rack.addendum)
     if found.task.kind == "internal":
         yield Datum(of(tr("kind of mesh")), text=tr("internal, of a wheel in a ring"))
-    yield from _quantities(found, of, OF_RACK if same else ())
+    yield from _quantities(found, of, _told_rack(found.task, order.spec.train))
     yield from _tips(found.task, of)
     yield Datum(of(tr("choice of the shifts")), text=chosen(found.task))
     yield from _limits(found.task, [table], of)
@@ -194,14 +220,20 @@ def of_wheel(order: Order) -> Iterator[Datum]:
     for name, given in given_of_wheel(found):
         assert isinstance(given.value, float)
         yield Datum(given.meaning, (name,), (given.value,), given.unit)
-    measured = found.task.measuring
+    task, measured = found.task, found.task.measuring
+    yield from _rounding(task, str)
+    if not task.undercut:
+        yield Datum(tr("undercut"), text=tr("none"))
+    if task.tip_thickness:
+        yield Datum(tr("least thickness of the tips, in modules"), (), (task.tip_thickness,))
     if measured.span_teeth is not None:
         yield Datum(tr("number of teeth in the span"), ("z_w",), (float(measured.span_teeth),))
     if measured.ball is not None:
         said = tr("diameter of the pins") if measured.body == "pins" else tr("diameter of the balls")
         yield Datum(said, ("D",), (measured.ball,), "m")
-    if found.task.circles:
-        diameters = tuple(2 * radius for radius in found.task.circles)
+    elif measured.body == "pins":
+        yield Datum(tr("measured over"), text=tr("pins"))
+    yield from _width(task, measured.rule, str)
+    if task.circles:
+        diameters = tuple(2 * radius for radius in task.circles)
         yield Datum(tr("diameters of circles on which the tooth is asked for"), (), diameters, "m")
-    if found.task.tip_thickness:
-        yield Datum(tr("least thickness of the tips, in modules"), (), (found.task.tip_thickness,))
