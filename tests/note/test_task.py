@@ -128,7 +128,7 @@ def test_a_load_off_the_pins_has_its_place_and_turns_with_its_link(tmp_path: Pat
 
 def test_a_train_is_given_by_its_layout_and_ratio() -> None:
     found = given("gears-pairs")
-    assert found["u"] == "6"
+    assert found["i_1H,0"] == "6"
     assert found["T_1"] == "40 N·m"
 
 

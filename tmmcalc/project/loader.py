@@ -185,7 +185,7 @@ def _followed(spec: Spec, data: dict[str, Any]) -> Spec:
 
     def at(speed: float) -> Spec:
         if spec.torque is not None:
-            return spec.model_copy(update={"torque": spec.torque.model_copy(update={"speed": speed})})
+            return spec.model_copy(update={"torque": spec.torque.run_by(speed)})
         assert spec.mechanism is not None
         crank = spec.mechanism.input.model_copy(update={"speed": sense * speed})
         return spec.model_copy(update={"mechanism": spec.mechanism.model_copy(update={"input": crank})})

@@ -19,7 +19,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph
 from tmmcalc.report.telling import WIDE
 
-GIVEN = ("m_2", "J_2", "Q_y", "Q_c", "M_Qy", "M_Qc", "g", "f", "r_A", "K_1", "f_1", "F_min", "c", "Q_0", "M_0")
+GIVEN = ("m_T", "J_T", "Q_y", "Q_c", "M_Qy", "M_Qc", "g", "f_T", "f_A", "r_A", "K_1", "f_1", "F_min", "c", "Q_0", "M_0")
 SPRING, COURSE = (WIDE, 80.0), (WIDE, 130.0)  # sizes of the pictures [mm]
 NAMES = (5.0, 4.0, 2.0, 0.0)  # room that names of axes take around a diagram [mm]
 
@@ -60,7 +60,7 @@ def given_loads(of: Loaded) -> Lexicon:
     """What the spec says of loads, friction and the spring."""
     loads, asked = of.loads, of.loads.spring
     scene = of_scene(of)
-    found: Lexicon = {name: scene[name] for name in ("<m>", "f", "r_A") if name in scene}
+    found: Lexicon = {name: scene[name] for name in ("<m>", "f_T", "f_A", "r_A") if name in scene}
     unit, letter = ("N*m", "M_Q") if of.turns else ("N", "Q_")
     if loads.force.phi is None:
         found[f"{letter}y"] = Given(loads.force.rise, unit, tr("technological load on the rise and in the far dwell"))

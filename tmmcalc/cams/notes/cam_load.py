@@ -25,8 +25,8 @@ from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place,
 from tmmcalc.report.telling import lines, named, tabulated
 
 LETTERS = {"cam force": "M_cQ", "cam weight": "M_cG", "cam spring": "M_cs", "cam friction": "M_cF"}
-STEM_INERTIA = "J_c = m_2*S'**2<u2>/10**6", "J'_c = 2*m_2*S'*S''<u3>/10**6"
-ROCKER_INERTIA = "J_c = J_2*psi'**2<u2>", "J'_c = 2*J_2*psi'*psi''<u3>"
+STEM_INERTIA = "J_c = m_T*S'**2<u2>/10**6", "J'_c = 2*m_T*S'*S''<u3>/10**6"
+ROCKER_INERTIA = "J_c = J_T*psi'**2<u2>", "J'_c = 2*J_T*psi'*psi''<u3>"
 STEM = {
     "cam force": "M_cQ = Q*S'<u>/10**3",
     "cam weight": "M_cG = G*S'<u>/10**3",
@@ -42,7 +42,7 @@ ANGLE = "phi_1 = phi_r + phi<over>"
 ASKED = "M_c = J'_c*omega_1**2/2"
 PLAIN, GEARED = (
     {"u": "", "u2": "", "u3": "", "over": ""},
-    {"u": "*u", "u2": "*u**2", "u3": "*u**3", "over": "/u"},
+    {"u": "*u_c", "u2": "*u_c**2", "u3": "*u_c**3", "over": "/u_c"},
 )
 
 
@@ -98,8 +98,8 @@ def _driven(found: Attached) -> str:
     if found.ratio == 1:
         return tr("The cam turns with the input shaft; its follower is reduced to that shaft.")
     return tr(
-        "The cam turns $u$ times as fast as the input shaft; its follower is reduced to that shaft. The cam is in the "
-        "same place again after {turns} turns of the shaft.",
+        "The cam turns $u_c$ times as fast as the input shaft; its follower is reduced to that shaft. The cam is in "
+        "the same place again after {turns} turns of the shaft.",
         turns=found.turns,
     )
 
@@ -123,7 +123,7 @@ def _reduced(found: Attached, theta: float, before: bool = False) -> Lexicon:
         return float(found.panels.at(values, at, before=before)[0])
 
     own = {
-        "u": Given(found.ratio, "", tr("speed of the cam over that of the input shaft")),
+        "u_c": Given(found.ratio, "", tr("speed of the cam over that of the input shaft")),
         "omega_1": Given(found.speed, "rad/s", tr("given angular velocity of the input shaft")),
         "J_c": Given(here(found.inertia), "kg*m^2", tr("reduced moment of inertia of the follower")),
         "J'_c": Given(here(found.slope), "kg*m^2", tr("its derivative by the angle of the input shaft")),

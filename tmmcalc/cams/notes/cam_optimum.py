@@ -183,7 +183,7 @@ def _chart(task: CamTask, result: CamOptimum, chart: FlatChart) -> Iterator[Bloc
         "H_{2,min}": mm(chart.least_height, tr("least height by convexity and guide")),
         "h": mm(chart.stroke, tr("stroke")),
         "Delta_g": mm(chart.gap, tr("gap between the roller at its highest and the guide")),
-        "f": Given(loads.friction, "", tr("coefficient of friction of the stem in its guide")),
+        "f_T": Given(loads.friction, "", tr("coefficient of friction of the stem in its guide")),
     }
     lexicon = force | named(found)
     yield Paragraph(tr("Convexity of the profile asks for a start distance, whatever the height:"))
@@ -198,7 +198,7 @@ def _chart(task: CamTask, result: CamOptimum, chart: FlatChart) -> Iterator[Bloc
     yield Paragraph(tr("The pressure in the guide asks for a length, which is largest where"))
     yield from lines(["N_P = 2*l_H*r_T*p_gP"], [Place("", lexicon)])
     place = Place("", lexicon | _there(task, result, chart.length_phi, None))
-    yield from lines(["l^{*} = P_n*abs(S')/N_P + 2*f*S'"], [place])
+    yield from lines(["l^{*} = P_n*abs(S')/N_P + 2*f_T*S'"], [place])
     yield from lines(["H_{2,min} = S_{0,min} + h + Delta_g + l^{*}"], [place])
     if start > chart.least_start * (1 + 1e-9):
         yield Paragraph(tr("Other constraints ask for a larger start distance or a longer guide."))

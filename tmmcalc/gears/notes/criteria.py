@@ -36,7 +36,7 @@ SHOWN = 12  # trains of the table
 PARETO, SIDE, UNDER = (160.0, 118.0), 5.0, 3.0  # size of the picture, and room beside and below its axes [mm]
 SHAPES = {  # mass [kg] and inertia [kg*m^2] of a wheel, lengths in mm (4.43), (4.44)
     "pinion": ("M = pi*rho*b*r**2/10**9", "J = M*r**2/(2*10**6)"),
-    "wheel": ("M = alpha_1*pi*rho*b*r**2/10**9", "J = alpha_2*M*r**2/(2*10**6)"),
+    "wheel": ("M = alpha_M*pi*rho*b*r**2/10**9", "J = alpha_J*M*r**2/(2*10**6)"),
     "ring": ("M = pi*rho*b*h*(2*r + h)/10**9", "J = M*(r**2 + (r + h)**2)/(2*10**6)"),
 }
 
@@ -109,8 +109,8 @@ class _Chosen:
         """Radius, mass and inertia of each moving wheel."""
         yield Paragraph(
             tr(
-                "Pinions are solid cylinders of their reference diameter, wheels are webbed, lighter by $alpha_1$ and "
-                "with their mass farther out by $alpha_2$; the carrier and the shafts are neglected."
+                "Pinions are solid cylinders of their reference diameter, wheels are webbed, lighter by $alpha_M$ and "
+                "with their mass farther out by $alpha_J$; the carrier and the shafts are neglected."
             )
         )
         made = self.made
@@ -125,8 +125,8 @@ class _Chosen:
                 "h": (MM * self.build.rim * float(self.module[0, stage]), "mm", tr("depth of the ring and its rim")),
                 "r": (MM * float(radii(self.one, self.module)[0, column]), "mm", tr("reference radius")),
                 "rho": (self.build.density, "kg/m^3", tr("density of steel")),
-                "alpha_1": (self.build.webbed_mass, "", tr("coefficient of the mass of a webbed wheel")),
-                "alpha_2": (self.build.webbed_inertia, "", tr("coefficient of the inertia of a webbed wheel")),
+                "alpha_M": (self.build.webbed_mass, "", tr("coefficient of the mass of a webbed wheel")),
+                "alpha_J": (self.build.webbed_inertia, "", tr("coefficient of the inertia of a webbed wheel")),
                 "M": (float(made.masses[0, column]), "kg", tr("mass of the wheel")),
                 "J": (float(made.inertias[0, column]), "kg*m^2", tr("moment of inertia of the wheel about its axis")),
             }

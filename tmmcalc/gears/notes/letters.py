@@ -19,6 +19,7 @@ NOTED = {  # letters of the room that have another form in the note
     "h_a": "h_a^{*}",
     "gap": "c_g",
     "d_min": "Deltaz_{min}",
+    "z_pinion_max": "z_{p,max}",
     "ring_min": "z_{r,min}",
     "ring_max": "z_{r,max}",
     "sum_max": "z_{S,max}",

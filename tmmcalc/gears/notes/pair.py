@@ -21,6 +21,7 @@ from tmmcalc.gears.notes.pairs.tables import of_wheels, parameters
 from tmmcalc.gears.pictures.pieces import draw_curves, draw_to_scale
 from tmmcalc.gears.pictures.placedpair import placed_pair
 from tmmcalc.gears.pictures.words import pair_name
+from tmmcalc.gears.tables.tasks.open_pair import to_open_pair
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
@@ -53,12 +54,13 @@ SCALE = 2.8  # height of the letters of the scale of a mesh [mm]
 
 def blocks(order: Order) -> Iterator[Block]:
     """Every pair, one after another."""
-    pairs, listed = order.results["pair"].pairs, order.spec.pair.teeth is not None
+    pairs, table, on_crank = order.results["pair"].pairs, order.spec.pair, to_open_pair(order.spec)
     contours = order.results["blocking"].pairs if "blocking" in order.results else ()
     for k, found in enumerate(pairs, 1):
         own = found.task
         same = (each for each in contours if (each.name, tuple(each.teeth)) == (own.name, tuple(own.teeth)))
         span = next((_span(each, found) for each in same), None)
+        listed = (on_crank is not None and own == on_crank.pair) or (table is not None and not table.of_train)
         yield from _pair(told_of(found), span, f"pair{k}", _teeth(found.task) if pairs[1:] else "", listed=listed)
 
 

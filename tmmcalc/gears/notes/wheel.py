@@ -18,11 +18,12 @@ from tmmcalc.gears.notes.pairs.sizes import (
     ring_root,
     teeth,
 )
-from tmmcalc.gears.notes.pairs.tables import parameters
+from tmmcalc.gears.notes.pairs.tables import parameters, something
 from tmmcalc.gears.notes.pairs.tooth import tooth
 from tmmcalc.gears.single.member import SingleMember
 from tmmcalc.gears.single.results import SingleWheel
 from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Paragraph
 from tmmcalc.report.telling import tabulated
@@ -41,9 +42,6 @@ def blocks(order: Order) -> Iterator[Block]:
     lexicon = wheel.places[0].lexicon
     ring = task.kind == "internal"
     yield Heading(tr("Ring, $z$ = {teeth}", teeth=task.teeth) if ring else tr("Wheel, $z$ = {teeth}", teeth=task.teeth))
-    yield Paragraph(tr("The given data of the wheel are in table {table}.", table="{tab:wheel_data}"))
-    names = [*GIVEN, *["r_a"] * (task.tip is not None)]
-    yield parameters(tr("Given data of the wheel"), names, lexicon, "wheel_data")
     yield from wheel.lines(*SECTION * bool(task.helix), *CIRCLES)
     if ring:
         yield from ring_root(wheel, task.cutter)
@@ -61,6 +59,12 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from tooth(SingleMember(task), "wheel_tooth")
     yield Paragraph(tr("The parameters of the wheel are in table {table}.", table="{tab:wheel_sizes}"))
     yield parameters(tr("Parameters of the wheel"), SIZES, lexicon, "wheel_sizes")
+
+
+def given_of_wheel(found: SingleWheel) -> Iterator[tuple[str, Given]]:
+    """What is given of it, by the names in formulas."""
+    names = [*GIVEN, *["r_a"] * (found.task.tip is not None)]
+    yield from something(names, alone(found).places[0].lexicon)
 
 
 def _chords(found: SingleWheel) -> Iterator[Block]:

@@ -56,7 +56,7 @@ def _cylinders_table(cylinders: Sequence[Cylinder]) -> Block:
     columns = {
         "$z_j$, m": [each.position_along_shaft for each in cylinders],
         "$gamma_j$, deg": [math.degrees(each.axis_angle) for each in cylinders],
-        "$psi_j$, deg": [_within_turn(each.crank_angle) for each in cylinders],
+        "$psi_j$, deg": [within_turn(each.crank_angle) for each in cylinders],
         "$r$, m": [each.crank_radius for each in cylinders],
         "$l$, m": [each.rod_length for each in cylinders],
         "$m_r$, kg": [each.reciprocating_mass for each in cylinders],
@@ -67,7 +67,7 @@ def _cylinders_table(cylinders: Sequence[Cylinder]) -> Block:
     return tabulated(caption, columns, labels, head="$j$", key="engine_cylinders")
 
 
-def _within_turn(angle: float) -> float:
+def within_turn(angle: float) -> float:
     """An angle [rad] in degrees from -180 to 180, but for whole turns."""
     return round(math.degrees(math.remainder(angle, 2 * math.pi)), 9)
 
@@ -108,7 +108,7 @@ def _alike(cylinders: Sequence[Cylinder]) -> bool:
 def _quantities(cylinders: Sequence[Cylinder], balance: EngineBalance) -> Lexicon:
     return named(
         {
-            "psi_j": Given([_within_turn(each.crank_angle) for each in cylinders], "deg", tr("angle of the crank")),
+            "psi_j": Given([within_turn(each.crank_angle) for each in cylinders], "deg", tr("angle of the crank")),
             "z_j": Given([each.position_along_shaft for each in cylinders], "m", tr("place of the cylinder")),
             "z_0": Given(balance.reference, "m", tr("middle of the engine")),
             "n_c": Given(float(len(cylinders)), "", tr("number of cylinders")),

@@ -40,9 +40,9 @@ LAWS = {
     "kloss": (
         (
             *INDUCTION,
-            "M_K = K*M_N",
+            "M_K = lambda_M*M_N",
             "s_N = (n_c - n_N)/n_c",
-            "s_K = s_N*(K + sqrt(K**2 - 1))",
+            "s_K = s_N*(lambda_M + sqrt(lambda_M**2 - 1))",
             "omega_K = omega_c*(1 - s_K)",
             "M_p = 2*M_K*s_K/(1 + s_K**2)",
         ),
@@ -178,7 +178,7 @@ def plate(motor: Motor, ratio: float | None = None) -> Lexicon:
         "n_N": (motor.rated_rpm, "rpm", tr("rated speed of the motor")),
         "n_c": (motor.synchronous_rpm, "rpm", no_load),
         "u": (ratio, "", tr("speed ratio of the motor and the input shaft")),
-        "K": (motor.overload, "", tr("overload factor of the motor")),
+        "lambda_M": (motor.overload, "", tr("overload factor of the motor")),
         "U": (motor.voltage, "V", tr("voltage of the motor")),
         "R": (motor.resistance, "Ohm", tr("resistance of the armature circuit")),
         "k": (motor.constant, "V*s/rad", tr("constant of the motor")),
@@ -311,7 +311,7 @@ def _straight(motor: Motor, how: Braking, curve: Straight, lexicon: Lexicon) -> 
     texts = ["omega_V = V/k", "b_V = k**2/(R + R_a)"]
     if motor.kind == "series":
         yield from _field_apart(motor, how, lexicon)
-        texts.insert(0, "k = U*kappa*f/(1 + beta*f)")
+        texts.insert(0, "k = U*kappa*j_f/(1 + beta*j_f)")
     own = motor.voltage or 0.0
     voltage = {"regenerative": how.voltage or own, "dynamic": 0.0, "plugging": -own}
     lexicon |= {
@@ -332,7 +332,7 @@ def _field_apart(motor: Motor, how: Braking, lexicon: Lexicon) -> Iterator[Block
     assert isinstance(own, Series)
     yield Paragraph(tr("The field is fed from a source of its own."))
     lexicon |= {
-        "f": Given(how.field, "", tr("current of the field in parts of the rated one")),
+        "j_f": Given(how.field, "", tr("current of the field in parts of the rated one")),
         "beta": Given(own.bend, "", tr("coefficient of saturation")),
         "kappa": Given(own.rate, "s/rad", tr("rate at which the EMF grows with the angular velocity of the motor")),
     }

@@ -73,13 +73,13 @@ def _equations(motion: TimedMotion, machine: Machine) -> Iterator[Block]:
         return
     yield Paragraph(
         tr(
-            "The drive is a chain of masses on elastic shafts. With moments of inertia $J_i$, stiffnesses $c_i$ and "
-            "dampings $d_i$ reduced to the crank"
+            "The drive is a chain of masses on elastic shafts. With moments of inertia $J_{d,i}$, stiffnesses $c_i$ "
+            "and dampings $d_i$ reduced to the crank"
         )
     )
-    yield Display(read("J_i*eps_i = M_{i−1,i} - M_{i,i+1}"))
+    yield Display(read("J_{d,i}*eps_i = M_{i−1,i} - M_{i,i+1}"))
     yield Display(read("M_{i,i+1} = c_i*(phi_i - phi_{i+1}) + d_i*(omega_i - omega_{i+1})"))
-    yield Display(read(filled("(J_n + <J>)*eps_n = M_{n−1,n} + M_c - M_b - 0.5*<dJ>*omega_n**2", reduced())))
+    yield Display(read(filled("(J_{d,n} + <J>)*eps_n = M_{n−1,n} + M_c - M_b - 0.5*<dJ>*omega_n**2", reduced())))
     yield Paragraph(
         tr("where $M_{i,i+1}$ is the moment of the shaft between two masses; on the first one acts the motor.")
     )
@@ -92,7 +92,7 @@ def _equations(motion: TimedMotion, machine: Machine) -> Iterator[Block]:
     )
     columns = {
         "$u_i$": motion.ratios,
-        "$J_i$, kg*m^2": [mass.inertia for mass in drive.masses],
+        "$J_{d,i}$, kg*m^2": [mass.inertia for mass in drive.masses],
         "$c_i$, N*m/rad": [*(shaft.stiffness for shaft in drive.shafts), math.nan],
         "$d_i$, N*m*s/rad": [*(shaft.damping for shaft in drive.shafts), math.nan],
     }

@@ -75,10 +75,10 @@ def _rim(wheel: Wheel, rim: Rim, task: FlywheelTask, whole: tuple[str, Given]) -
     )
     yield from lines((f"J_r = c_J*{own}",), place)
     yield Paragraph(_sizes_said(task))
-    fixed = () if task.width is not None or task.thickness is not None else ("b = c_b*h",)
-    yield from lines((*fixed, "J_r = pi*rho*b*h*D*(D**2 + h**2)/4", "D_o = D + h", "D_i = D - h"), place)
+    fixed = () if task.width is not None or task.thickness is not None else ("b_r = c_b*h_r",)
+    yield from lines((*fixed, "J_r = pi*rho_r*b_r*h_r*D*(D**2 + h_r**2)/4", "D_o = D + h_r", "D_i = D - h_r"), place)
     yield Paragraph(tr("Mass of the rim, and of the whole flywheel with hub and arms:"))
-    yield from lines(("m_r = pi*rho*b*h*D", "m_M = m_r/c_m"), place)
+    yield from lines(("m_r = pi*rho_r*b_r*h_r*D", "m_M = m_r/c_m"), place)
     yield Paragraph(tr("A thin rim that carries the whole moment of inertia would have the mass"))
     yield from lines((f"m_t = 4*{own}/D**2",), place)
     yield Paragraph(tr("Speed of the edge of the rim, against the permissible speed $v_a$ of the material:"))
@@ -91,8 +91,8 @@ def _rim(wheel: Wheel, rim: Rim, task: FlywheelTask, whole: tuple[str, Given]) -
         tr("Stress in the rim as in a thin ring, the largest one in it as in a full ring, and the safety factor:")
     )
     texts = (
-        "sigma_t = rho*(omega_M*D/2)**2/10**6",
-        "sigma_r = rho*omega_M**2*((3 + nu)*D_o**2 + (1 - nu)*D_i**2)/(16*10**6)",
+        "sigma_t = rho_r*(omega_M*D/2)**2/10**6",
+        "sigma_r = rho_r*omega_M**2*((3 + nu)*D_o**2 + (1 - nu)*D_i**2)/(16*10**6)",
         "n_s = sigma_B/sigma_r",
     )
     yield from lines(texts, place)
@@ -104,9 +104,9 @@ def _sizes_said(task: FlywheelTask) -> str:
         word for word, size in (("D", task.diameter), ("b", task.width), ("h", task.thickness)) if size is not None
     ]
     return {
-        "Db": tr("With the given mean diameter $D$ and width $b$ the thickness $h$ follows from the equation"),
-        "Dh": tr("With the given mean diameter $D$ and thickness $h$ the width $b$ follows from the equation"),
-        "bh": tr("With the given width $b$ and thickness $h$ the mean diameter $D$ follows from the equation"),
+        "Db": tr("With the given mean diameter $D$ and width $b_r$ the thickness $h_r$ follows from the equation"),
+        "Dh": tr("With the given mean diameter $D$ and thickness $h_r$ the width $b_r$ follows from the equation"),
+        "bh": tr("With the given width $b_r$ and thickness $h_r$ the mean diameter $D$ follows from the equation"),
         "D": tr("With the given mean diameter $D$ and the customary ratio of width and thickness these follow from"),
         "": tr("With customary proportions of the rim its sizes follow from"),
     }["".join(given)]
@@ -121,9 +121,9 @@ def _of_rim(wheel: Wheel, rim: Rim) -> Lexicon:
         "c_J": Given(DEFAULT.rim_inertia, "", share),
         "c_m": Given(DEFAULT.rim_mass, "", tr("share of the rim in the mass")),
         "c_b": Given(DEFAULT.width_to_thickness, "", tr("ratio of width and thickness")),
-        "rho": Given(material.density, "kg/m^3", tr("density")),
-        "b": Given(rim.width, "m", tr("width of the rim")),
-        "h": Given(rim.thickness, "m", tr("thickness of the rim")),
+        "rho_r": Given(material.density, "kg/m^3", tr("density")),
+        "b_r": Given(rim.width, "m", tr("width of the rim")),
+        "h_r": Given(rim.thickness, "m", tr("thickness of the rim")),
         "D": Given(rim.diameter, "m", tr("mean diameter of the rim")),
         "D_o": Given(rim.outer, "m", tr("outer diameter of the rim")),
         "D_i": Given(rim.inner, "m", tr("inner diameter of the rim")),

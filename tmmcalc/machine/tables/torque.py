@@ -3,7 +3,7 @@
 import math
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, PrivateAttr
 
 from tmmcalc.spec.identifiers import Name
 from tmmcalc.spec.quantities import Angle, Inertia, Moment, Number, Quantity, ShaftSpeed
@@ -148,3 +148,15 @@ class TorqueTable(Table):
         "the load of an engine, the drive of a working machine. `reduce` and `power` keep its work and "
         "power apart from those of the diagram.",
     )
+    _by_motor: bool = PrivateAttr(default=False)  # the speed is that of the motion that the motor gives
+
+    @property
+    def by_motor(self) -> bool:
+        """Whether the spec leaves the speed to the motor: the number here is found, not given."""
+        return self._by_motor
+
+    def run_by(self, speed: float) -> "TorqueTable":
+        """The table with the speed [rad/s] that the motor gives."""
+        found = self.model_copy(update={"speed": speed})
+        found._by_motor = True
+        return found

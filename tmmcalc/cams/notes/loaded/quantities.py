@@ -41,8 +41,8 @@ from tmmcalc.report.manuscript import Block, Lexicon, Place
 from tmmcalc.report.telling import filled, lines, named
 
 KEPT = 1e-9  # relative: values that differ less are one
-STEM = {"P": "P", "Q": "Q", "O": "Q", "m": "m_2", "k": "/10**3"}
-ROCKER = {"P": "M", "Q": "M", "O": "M_Q", "m": "J_2", "k": ""}
+STEM = {"P": "P", "Q": "Q", "O": "Q", "m": "m_T", "k": "/10**3"}
+ROCKER = {"P": "M", "Q": "M", "O": "M_Q", "m": "J_T", "k": ""}
 
 
 class Found(NamedTuple):
@@ -198,10 +198,10 @@ def of_scene(of: Loaded) -> Lexicon:
         found["l"] = mm(guide.length, tr("length of the guide"))
         found["Delta_g"] = mm(of.task.guide.gap, tr("gap between the roller at its highest and the guide"))
     if of.turns:
-        found["f"] = Given(loads.pivot_friction, "", tr("coefficient of friction in the pivot"))
+        found["f_A"] = Given(loads.pivot_friction, "", tr("coefficient of friction in the pivot"))
         found["r_A"] = mm(loads.pivot_radius, tr("radius of the pivot"))
     else:
-        found["f"] = Given(loads.friction, "", tr("coefficient of friction of the stem in its guide"))
+        found["f_T"] = Given(loads.friction, "", tr("coefficient of friction of the stem in its guide"))
     return found
 
 

@@ -30,9 +30,9 @@ EVEN = "<P>_j = -<m>*<y>''*<wn>**2<k>", ALONG[-1]  # of a shaft that turns evenl
 GUIDE = "H_1 = S_0 + <dy>_max + r_2 + Delta_g"
 FLAT_GUIDE = "H_1 = S_0 + <dy>_max + Delta_g"
 RATIO = {
-    "translating": ("q = H_1 - S", "mu = f*abs(sin(theta))*(1 + 2*q/l)"),
-    "flat": ("mu = 2*f*abs(S')/l",),
-    "oscillating": ("mu = f*r_A/l_2",),
+    "translating": ("q = H_1 - S", "mu = f_T*abs(sin(theta))*(1 + 2*q/l)"),
+    "flat": ("mu = 2*f_T*abs(S')/l",),
+    "oscillating": ("mu = f_A*r_A/l_2",),
 }
 CONTACT = {  # <g>: friction opposes the motion
     "translating": "R = -P_c/(cos(theta)<g>)",
@@ -168,7 +168,7 @@ def _jamming(of: Loaded) -> Iterator[Block]:
     )
     yield from of.lines([*RATIO[of.kind], "chi = mu" if of.kind == "flat" else "chi = mu/cos(theta)"], place)
     if reserve.critical is not None:
-        yield from of.lines(["theta_cr = acos(mu)" if of.turns else "theta_cr = atan(1/(f*(1 + 2*q/l)))"], place)
+        yield from of.lines(["theta_cr = acos(mu)" if of.turns else "theta_cr = atan(1/(f_T*(1 + 2*q/l)))"], place)
     yield Result("chi", lexicon["chi"], 1.0, "<=")
 
 
