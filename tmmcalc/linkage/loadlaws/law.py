@@ -14,6 +14,7 @@ A table in a CSV file is named in the manifest.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 
 from tmmcalc.core.records import record
@@ -137,8 +138,9 @@ def in_rows(*lists: Datum) -> Iterator[Datum]:
     from tmmcalc.report.language import tr
 
     count = len(lists[0].values)
-    for begin in range(0, count, ROW):
-        end = min(begin + ROW, count)
+    parts = -(-count // ROW)
+    ends = [count * part // parts for part in range(parts + 1)]
+    for begin, end in pairwise(ends):
         for each in lists:
             said = tr("{what}, points {first} to {last}", what=each.what, first=begin + 1, last=end)
-            yield each._replace(what=each.what if count <= ROW else said, values=each.values[begin:end])
+            yield each._replace(what=each.what if parts == 1 else said, values=each.values[begin:end])

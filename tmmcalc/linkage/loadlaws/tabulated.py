@@ -168,7 +168,7 @@ class Tabulated(Placed):
             return Datum(tr("points of load {name}: angle of the crank from the first position", name=name),
                          ("phi",), tuple(map(math.degrees, self.x)), "deg")  # fmt: skip
         own = called.outputs.get(self.output)
-        whose = tr("displacement of the output") if own is None else own.said
+        whose = tr("coordinate of the output") if own is None else own.said
         if self.of == "stroke":
             said = tr("points of load {name}: {coordinate}, from its lesser extreme, in parts of the stroke",
                       name=name, coordinate=whose)  # fmt: skip

@@ -75,7 +75,8 @@ def _rails(mechanism: Mechanism, link: int) -> list[Joint]:
 
 
 def _base(mechanism: Mechanism, points: Sequence[Pin], link: int) -> Base:
-    own = tuple(point for point in points if link in point.at and point.joints)
+    pins = tuple(point for point in points if link in point.at and point.joints)
+    own = _in_sense(link, pins)
     rails = _rails(mechanism, link)
     drive = mechanism.joint(mechanism.input.joint)
     if drive.kind == "revolute" and set(drive.links) == {FRAME, link}:
@@ -90,7 +91,16 @@ def _base(mechanism: Mechanism, points: Sequence[Pin], link: int) -> Base:
     line = _pins_along(link, own[:2], direction)
     if line:
         origin = tr("from line {line}", line=line)
-    return Base(*_point(points, link, own, rails), direction, line, origin, own)
+    return Base(*_point(points, link, own, rails), direction, line, origin, pins)
+
+
+def _in_sense(link: int, pins: tuple[Pin, ...]) -> tuple[Pin, ...]:
+    """The pins of a link, the second before the first where its own axis x leads from that one to this one."""
+    if len(pins) > 1:
+        vector = pins[1].at[link] - pins[0].at[link]
+        if vector.real < 0 and abs(vector.imag) < NEAR:
+            return (pins[1], pins[0], *pins[2:])
+    return pins
 
 
 def _from_guide(joint: Joint) -> str:

@@ -25,8 +25,9 @@ def metric(seen: Seen, *, centres: bool) -> Iterator[Datum]:
             apart = abs(second.at[link] - first.at[link])
             yield distance(plain_name(first.name), plain_name(second.name), apart)
         if not base.line:
-            for pin in base.pins[1:]:
-                yield from _turned(link, base, plain_name(pin.name), pin.at[link])
+            for pin in base.pins:
+                if plain_name(pin.name) != base.name:
+                    yield from _turned(link, base, plain_name(pin.name), pin.at[link])
         for joint in seen.rails(link):
             yield from _guide(seen, link, joint)
         for point in seen.points:

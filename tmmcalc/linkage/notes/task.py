@@ -21,6 +21,7 @@ from tmmcalc.linkage.notes.shown import rows_shown
 from tmmcalc.linkage.paths.task import WantedPath
 from tmmcalc.linkage.pictures.cycle import whole_cycle
 from tmmcalc.linkage.pictures.scheme import draw_scheme
+from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.linkage.tables.tasks.paths import to_paths
 from tmmcalc.report.drawing.order import Order
@@ -50,10 +51,11 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from input_motion(order.spec.linkage, seen, result, known=known)
     strokes = _of_strokes(order.spec)
     for output in mechanism.outputs:
-        yield from _output(seen, output, asked=output.name in strokes, known=known, turns=result.turns)
+        yield from _output(seen, output, asked=output.name in strokes, turns=result.turns)
     if known:
         yield from metric(seen, centres=not loaded)
         yield from _coordinates(seen)
+        yield from _angles(seen, result)
     if loaded:
         yield from given_loads(order.spec, seen, metric=known)
     for path in to_paths(order.spec):
@@ -71,18 +73,13 @@ def _of_strokes(spec: LinkageTables) -> set[str | None]:
     return names | {output.name for output in to_linkage(spec.linkage).outputs[:1] if first}
 
 
-def _output(seen: Seen, output: Output, *, asked: bool, known: bool, turns: bool) -> Iterator[Datum]:
+def _output(seen: Seen, output: Output, *, asked: bool, turns: bool) -> Iterator[Datum]:
     """In which sense an output is counted, and which of its strokes is the working one."""
     coordinate = coordinate_said(seen.mechanism, output)
     if output.point is not None:
         said = tr("direction of the coordinate of point {point}, from axis $x$", point=output.point)
         named = tr("{coordinate}: its direction from axis $x$", coordinate=coordinate)
         yield Datum(said if output.label is None else named, (), (math.degrees(output.direction),), "deg")
-    if known and output.link is not None:
-        base = seen.bases[output.link]
-        if turn := base.angle(1 + 0j):
-            said = tr("line of link {link} that has its angle, {origin}", link=output.link, origin=base.origin)
-            yield Datum(said, (), (turn,), "deg")
     senses = {
         "negative": tr("that on which this coordinate grows"),
         "positive": tr("that on which this coordinate falls"),
@@ -103,6 +100,17 @@ def _coordinates(seen: Seen) -> Iterator[Datum]:
         joint = mechanism.joint(name)
         if joint.kind == "prismatic":
             yield from counted(seen, joint)
+
+
+def _angles(seen: Seen, result: Kinematics) -> Iterator[Datum]:
+    """Of links that turn the line that has their angle, where it is another than that which is seen."""
+    trace = result.trace
+    for link, rates in zip(trace.link_ids, trace.dangle, strict=True):
+        base = seen.bases[link]
+        turn = base.angle(1 + 0j)
+        if rates.any() and turn:
+            said = tr("line of link {link} that has its angle, {origin}", link=link, origin=base.origin)
+            yield Datum(said, (), (turn,), "deg")
 
 
 def _path(path: WantedPath, *, turns: bool) -> Iterator[Datum]:
