@@ -124,20 +124,23 @@ def _applied(seen: Seen, load: Load, called: str, *, metric: bool) -> Iterator[D
         yield Datum(where, text=tr("{link}, point {point}", link=link, point=name))
         if metric and known is None:
             yield from place(seen, load.link, name, load.point)
-        yield _direction(seen, load, called)
+        yield _direction(seen, load, called, metric=metric)
     if load.against != FRAME:
         said = tr("link that takes the opposite of load {name}", name=called)
         yield Datum(said, text=tr("link {link}", link=load.against))
 
 
-def _direction(seen: Seen, load: Load, called: str) -> Datum:
+def _direction(seen: Seen, load: Load, called: str, *, metric: bool) -> Datum:
     """Along what a force is positive: from axis x, or from the line of the link with which it turns."""
     if load.follows == FRAME:
         said = tr("positive direction of load {name}, from axis $x$", name=called)
         return Datum(said, (), (degrees(load.direction),), "deg")
     base = seen.bases[load.follows]
-    said = tr("positive direction of load {name}, {origin}, with which it turns", name=called, origin=base.origin)
-    return Datum(said, (), (base.angle(load.direction),), "deg")
+    origin, turn = base.origin, base.angle(load.direction)
+    if not metric:
+        origin, turn = tr("from axis $x$ of link {link}", link=load.follows), degrees(load.direction)
+    said = tr("positive direction of load {name}, {origin}, with which it turns", name=called, origin=origin)
+    return Datum(said, (), (turn,), "deg")
 
 
 def _spring(seen: Seen, spring: Spring, *, metric: bool) -> Iterator[Datum]:

@@ -70,7 +70,7 @@ def coordinate_said(mechanism: Mechanism, output: Output) -> str:
     else:
         slider = mechanism.joint(output.joint or "").links[0]
         said = tr("coordinate of link {link} along its guide", link=slider)
-    return said if output.label is None else f"{said} “{output.label}”"
+    return said if output.label is None else f"{said} {tr('“{name}”', name=output.label)}"
 
 
 def degrees(direction: complex) -> float:

@@ -49,9 +49,11 @@ def blocks(order: Order) -> Iterator[Block]:
     seen = seen_of(mechanism, result.structure)
     loaded = bool({"forces", "reduction", "balance"} & set(order.results))
     yield from input_motion(order.spec.linkage, seen, result, known=known)
-    strokes = _of_strokes(order.spec)
+    strokes, cycle = _of_strokes(order.spec), result.turns and order.spec.linkage.grid.span is None
     for output in mechanism.outputs:
-        yield from _output(seen, output, asked=output.name in strokes, turns=result.turns)
+        yield from _output(seen, output, asked=output.name in strokes, cycle=cycle)
+    if turning := [str(output.link) for output in mechanism.outputs if output.link is not None]:
+        yield Datum(tr("links whose angle is an output"), text=", ".join(turning))
     if known:
         yield from metric(seen, centres=not loaded)
         yield from _coordinates(seen)
@@ -73,7 +75,7 @@ def _of_strokes(spec: LinkageTables) -> set[str | None]:
     return names | {output.name for output in to_linkage(spec.linkage).outputs[:1] if first}
 
 
-def _output(seen: Seen, output: Output, *, asked: bool, turns: bool) -> Iterator[Datum]:
+def _output(seen: Seen, output: Output, *, asked: bool, cycle: bool) -> Iterator[Datum]:
     """In which sense an output is counted, and which of its strokes is the working one."""
     coordinate = coordinate_said(seen.mechanism, output)
     if output.point is not None:
@@ -84,7 +86,7 @@ def _output(seen: Seen, output: Output, *, asked: bool, turns: bool) -> Iterator
         "negative": tr("that on which this coordinate grows"),
         "positive": tr("that on which this coordinate falls"),
         None: tr("the longest by the angle of the crank; of equal ones the one from the greatest coordinate on")
-        if turns
+        if cycle
         else tr("the first whole one"),
     }
     if output.resistance is not None or asked:
