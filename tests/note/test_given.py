@@ -179,6 +179,7 @@ def test_the_drive_through_a_gear_is_told_but_what_is_told_of_its_open_pair() ->
     of_pair = given("geared-press", only=("forces",))
     assert of_pair[beta].values == pytest.approx((180,))
     assert "operating pressure angle" not in of_pair
+    assert of_pair["mesh that drives the crank"].text == "that of the open pair 18/60"
 
 
 def test_a_driven_slider_has_its_speed_its_travel_and_its_beginning() -> None:

@@ -205,7 +205,9 @@ def _alike(pairs: Sequence[Pair], letter: str, values: Sequence[float], unit: st
 
 def _drive(gear: GearDrive) -> Iterator[Datum]:
     """The mesh through which the crank is driven; radius and angle of an open pair are told with it."""
-    if not gear.open:
+    if gear.open:
+        yield Datum(tr("mesh that drives the crank"), text=tr("that of the open pair {pair}", pair=gear.teeth))
+    else:
         said = tr("operating pitch radius of the wheel on the crank")
         yield Datum(said, ("r_w",), (gear.radius,), "m")
         yield Datum(tr("operating pressure angle"), ("alpha_w",), (math.degrees(gear.mesh_angle),), "deg")
