@@ -110,7 +110,7 @@ def test_unequal_efficiencies_are_of_the_wheels_that_mesh(tmp_path: Path) -> Non
 
 
 def test_a_load_off_the_pins_has_its_place_and_turns_with_its_link(tmp_path: Path) -> None:
-    """By its distances from A and B, which are 168 mm apart, and its angle with AB."""
+    """By its distance from A and its angle there from line AB, and the angle of its direction with AB."""
     words = (CONFIGS / "assignment-press.toml").read_text(encoding="utf-8")
     before, load, after = words.partition('link = 3\npoint = "B"\ndirection = "0 deg"\n')
     assert load
@@ -121,8 +121,9 @@ def test_a_load_off_the_pins_has_its_place_and_turns_with_its_link(tmp_path: Pat
     found = {each.what: each for each in task_of(done.spec, done.results) if isinstance(each, Datum)}
     assert found["where load “Q3” is applied"].text == "link 2, point Q3"
     assert found["distance between points A and Q3"].values == pytest.approx([math.hypot(0.096, 0.021)])
-    assert found["distance between points B and Q3"].values == pytest.approx([math.hypot(0.072, 0.021)])
-    assert found["positive direction of load “Q3”, from line AB with which it turns"].values == pytest.approx([-90.0])
+    angle = found["angle of point Q3 on link 2 about A, from line AB"]
+    assert angle.values == pytest.approx([math.degrees(math.atan2(0.021, 0.096))])
+    assert found["positive direction of load “Q3”, from line AB, with which it turns"].values == pytest.approx([-90.0])
     assert found["link that takes the opposite of load “Q3”"].text == "link 3"
 
 

@@ -98,6 +98,11 @@ class GearDrive:
     internal: bool = False  # the gear on the crank has internal teeth
     open: str = quantity("gear_of", "open pair whose radius and angle these are; empty: as given", default="")
 
+    @property
+    def teeth(self) -> str:
+        """The teeth of the open pair, ``18/60`` of ``open pair 18/60``."""
+        return self.open.rpartition(" ")[2]
+
 
 @record
 class Loading:

@@ -30,3 +30,8 @@ def test_a_law_is_placed_or_a_resistance(law: type[Law]) -> None:
     assert issubclass(law, Placed) != issubclass(law, Resistance)
     needed = "along" if issubclass(law, Placed) else "against"
     assert needed in vars(law)
+
+
+@pytest.mark.parametrize("law", dict.fromkeys(loadlaws.laws().values()))
+def test_a_law_tells_what_is_given_of_it(law: type[Law]) -> None:
+    assert law.given is not Law.given

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.records import record
-from tmmcalc.linkage.loadlaws.law import Key, Kind, Law
+from tmmcalc.linkage.loadlaws.law import Called, Key, Kind, Law
 from tmmcalc.linkage.loadlaws.placed import Placed
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.loads.values import Acting, Value
+    from tmmcalc.report.manuscript import Datum
     from tmmcalc.spec.outline import Raw
 
 
@@ -42,6 +43,13 @@ class Constant(Placed):
     def from_table(cls, load: Any, key: str) -> tuple[Kind, Law]:
         """The law of a table."""
         return "force" if key == "force" else "moment", cls(getattr(load, key))
+
+    def given(self, table: Any, called: Called) -> Iterator[Datum]:
+        """Its value."""
+        from tmmcalc.report.language import tr
+        from tmmcalc.report.manuscript import Datum
+
+        yield Datum(tr("given load {name}", name=called.load), (called.key,), (self.value,), called.unit)
 
     def along(self, acting: Acting) -> Value:
         """The value, everywhere."""

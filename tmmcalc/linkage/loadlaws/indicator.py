@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 from pydantic import Field
 
 from tmmcalc.core.records import record
-from tmmcalc.linkage.loadlaws.law import Key, Kind, Law
+from tmmcalc.linkage.loadlaws.law import Called, Key, Kind, Law, in_rows
 from tmmcalc.linkage.loadlaws.placed import Placed
 from tmmcalc.spec.quantities import Number, Quantity, Size
 from tmmcalc.spec.table import Table
@@ -17,11 +17,13 @@ if TYPE_CHECKING:
     from tmmcalc.core.plane import Real
     from tmmcalc.linkage.chain import Configuration
     from tmmcalc.linkage.loads.values import Acting, Value
+    from tmmcalc.report.manuscript import Datum
     from tmmcalc.spec.findings import Finding
     from tmmcalc.spec.outline import Outline, Raw
     from tmmcalc.spec.phrases import Path
 
 TURN = 2 * math.pi
+MEGA = 1e6
 Part = Annotated[float, Number("a part of the stroke", "0.1", at_least=0, at_most=1)]
 Area = Annotated[float, Quantity("area", at_least_zero=True, nonzero=True)]
 Delay = Annotated[float, Quantity("angle", at_least_zero=True)]
@@ -116,6 +118,45 @@ class Indicator(Placed):
 
         strokes = subtable(load, "indicator").get("strokes")
         return 2 * TURN if isinstance(strokes, list) and len(strokes) == 4 else 0.0
+
+    def given(self, table: Any, called: Called) -> "Iterator[Datum]":
+        """The piston, the pressure behind it, the diagram stroke by stroke."""
+        from tmmcalc.report.language import tr
+        from tmmcalc.report.manuscript import Datum
+
+        name, index = called.load, called.index
+        pressure, back, area = f"p_{{{index}}}", f"p_{{{index},0}}", f"A_{{{index}}}"
+        said = tr("given load {name}; ${pressure}$ – pressure by the indicator diagram, ${area}$ – area of the piston",
+                  name=name, pressure=pressure, area=area)  # fmt: skip
+        yield Datum(said, (called.key,), text=f"$({pressure} - {back})*{area}$")
+        diameter = table.indicator.diameter
+        if table.indicator.area is None and diameter is not None:
+            yield Datum(tr("diameter of the piston, load {name}", name=name), (f"d_{{{index}}}",), (diameter,), "m")
+        else:
+            yield Datum(tr("area of the piston, load {name}", name=name), (area,), (self.area,), "m^2")
+        said = tr("absolute pressure on the other side of the piston, load {name}", name=name)
+        yield Datum(said, (back,), (self.back / MEGA,), "MPa")
+        yield Datum(tr("first stroke of load {name}", name=name), text=self._first())
+        for number, (x, p) in enumerate(self.strokes, 1):
+            words = {"name": name, "number": number}
+            parts = tr("load {name}, stroke {number}: distance of the piston from the closed end of the cylinder over "
+                       "the stroke", **words)  # fmt: skip
+            there = tr("load {name}, stroke {number}: absolute pressure there, straight lines between", **words)
+            yield from in_rows(
+                Datum(parts, (f"xi_{{{index},{number}}}",), x),
+                Datum(there, (f"p_{{{index},{number}}}",), tuple(each / MEGA for each in p), "MPa"),
+            )
+
+    def _first(self) -> str:
+        """Where the first stroke begins; strokes lead away from the closed end and back in turn."""
+        from tmmcalc.report.language import tr
+        from tmmcalc.report.telling import numeral
+
+        if not self.delay:
+            return tr("from the first dead centre at the closed end on; the load is directed away from this end")
+        return tr("from the first dead centre at the closed end on that the crank passes after {angle}° from the first "
+                  "position; the load is directed away from this end",
+                  angle=f"${numeral(math.degrees(self.delay))}$")  # fmt: skip
 
     @property
     def turns(self) -> int:

@@ -4,7 +4,8 @@ the position, or of `Resistance`, against a velocity; it provides
 1. ``rank``, the place of its keys among those of ``[[loads]]``, and ``spec_keys``, these keys with their field types;
 2. ``kind_of`` and ``from_table``: whether a load of that law is a force or a moment, and the law from its table;
 3. its value ``along`` the motion, or the ``order`` of the speed that it goes with and its size ``against`` a velocity;
-4. where they are needed ``check`` for its faults beyond single values, ``check_kind``, ``cycle``, ``smooth``,
+4. what is ``given`` of it in the task of a note, in the language in force;
+5. where they are needed ``check`` for its faults beyond single values, ``check_kind``, ``cycle``, ``smooth``,
    ``counted``, ``judged``, ``alike``, ``turns``, and words for its keys: ``missing``, ``lists``, ``inline``.
 
 A table in a CSV file is named in the manifest.
@@ -13,14 +14,19 @@ A table in a CSV file is named in the manifest.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 
+from tmmcalc.core.records import record
+
 if TYPE_CHECKING:
+    from tmmcalc.report.manuscript import Datum
     from tmmcalc.spec.findings import Finding
     from tmmcalc.spec.outline import Outline, Raw
     from tmmcalc.spec.phrases import Path, Said
 
 Kind = Literal["force", "moment"]
+ROW = 12  # values of a list that stand in one cell
 
 
 class Key(NamedTuple):
@@ -28,6 +34,30 @@ class Key(NamedTuple):
 
     annotation: Any
     description: str
+
+
+class Coordinate(NamedTuple):
+    """The coordinate of an output: what it is, and whether it is an angle."""
+
+    said: str
+    angular: bool
+
+
+@record
+class Called:
+    """How a load is called where its law is told."""
+
+    load: str  # “gas”
+    key: str  # its value in formulas, ``Q_{gas}``
+    index: str  # of the other letters of its law, ``gas``
+    kind: Kind
+    turns: bool  # whether the input is a crank; else it is counted by its travel
+    outputs: Mapping[str | None, Coordinate]  # of the mechanism by their names, the first one under None too
+
+    @property
+    def unit(self) -> str:
+        """The unit of its value."""
+        return "N" if self.kind == "force" else "N*m"
 
 
 class Law:
@@ -54,6 +84,10 @@ class Law:
     @classmethod
     def from_table(cls, load: Any, key: str) -> tuple[Kind, Law]:
         """ "force" or "moment", and the law of a checked table."""
+        raise NotImplementedError
+
+    def given(self, table: Any, called: Called) -> Iterator[Datum]:
+        """What is given of it: the law and all its numbers."""
         raise NotImplementedError
 
     @classmethod
@@ -97,3 +131,16 @@ def kind_of_values(load: Raw, key: str) -> Kind | None:
 def values_of(table: Any) -> tuple[Kind, tuple[float, ...]]:
     """The values of a checked table under ``force`` or ``moment``."""
     return ("force", tuple(table.force)) if table.force is not None else ("moment", tuple(table.moment or ()))
+
+
+def in_rows(*lists: Datum) -> Iterator[Datum]:
+    """Lists of equal length under each other, long ones part by part."""
+    from tmmcalc.report.language import tr
+
+    count = len(lists[0].values)
+    parts = -(-count // ROW)
+    ends = [count * part // parts for part in range(parts + 1)]
+    for begin, end in pairwise(ends):
+        for each in lists:
+            said = tr("{what}, points {first} to {last}", what=each.what, first=begin + 1, last=end)
+            yield each._replace(what=each.what if parts == 1 else said, values=each.values[begin:end])

@@ -1,12 +1,12 @@
 """A load that is a polynomial of the angle."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 from pydantic import Field
 
 from tmmcalc.core.records import record
-from tmmcalc.linkage.loadlaws.law import Key, Kind, Law, kind_of_values, values_of
+from tmmcalc.linkage.loadlaws.law import Called, Key, Kind, Law, kind_of_values, values_of
 from tmmcalc.linkage.loadlaws.placed import Placed
 from tmmcalc.spec.quantities import Number
 from tmmcalc.spec.table import Table
@@ -14,6 +14,7 @@ from tmmcalc.spec.table import Table
 if TYPE_CHECKING:
     from tmmcalc.core.plane import Real
     from tmmcalc.linkage.loads.values import Acting, Value
+    from tmmcalc.report.manuscript import Datum
     from tmmcalc.spec.findings import Finding
     from tmmcalc.spec.outline import Raw
     from tmmcalc.spec.phrases import Path
@@ -81,6 +82,18 @@ class Polynomial(Placed):
             "write one [[loads]] for each" if both else "write polynomial = { force = [0, 250, -12.5] }",
         )
 
+    def given(self, table: Any, called: Called) -> "Iterator[Datum]":
+        """The polynomial as a formula."""
+        from tmmcalc.report.language import tr, tr_unit
+        from tmmcalc.report.manuscript import Datum
+
+        said = (
+            tr("given load {name}; $theta$ – angle of the crank from its beginning, rad", name=called.load)
+            if called.turns
+            else tr("given load {name}; $theta$ – travel of the drive from its beginning, m", name=called.load)
+        )
+        yield Datum(said, (called.key,), text=f"${written(self.coefficients)}$ {tr_unit(called.unit)}")
+
     def along(self, acting: "Acting") -> "Value":
         """The sum, of the angle from the beginning of the load's window."""
         from tmmcalc.linkage.loads.values import Value
@@ -95,3 +108,19 @@ class Polynomial(Placed):
         for c in reversed(self.coefficients):
             value = value * d + c
         return value
+
+
+def written(coefficients: Sequence[float]) -> str:
+    """A polynomial of the angle as a formula.
+
+    >>> written([0.0, -180.0, 68.75])
+    '- 180*theta + 68.75*theta**2'
+    """
+    from tmmcalc.report.telling import numeral
+
+    terms = []
+    for power, value in enumerate(coefficients):
+        if value:
+            angle = ["", "*theta"][power] if power < 2 else f"*theta**{power}"
+            terms.append(f"{'-' if value < 0 else '+'} {numeral(abs(value))}{angle}")
+    return " ".join(terms).removeprefix("+ ") or "0"

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
-from tmmcalc.linkage.loadlaws.law import Key, Kind, Law
+from tmmcalc.linkage.loadlaws.law import Called, Key, Kind, Law
 
 if TYPE_CHECKING:
     from tmmcalc.core.plane import Real
+    from tmmcalc.report.manuscript import Datum
     from tmmcalc.spec.findings import Finding
     from tmmcalc.spec.outline import Raw
     from tmmcalc.spec.phrases import Path
@@ -22,6 +23,7 @@ class Resistance(Law):
     dimensions: ClassVar[tuple[str, str]]  # of the coefficient of a force, of a moment
     examples: ClassVar[tuple[str, str]]  # of these
     order: ClassVar[int]  # of the speed that it goes with
+    coefficient: float
 
     @classmethod
     def spec_keys(cls) -> Mapping[str, Key]:
@@ -66,6 +68,24 @@ class Resistance(Law):
                 f"{show(load[key])} is {given.noun}, but the load has a point, so it is a force",
                 f'write {needed.noun}, such as "{needed.example}", or remove point',
             )
+
+    def given(self, table: Any, called: Called) -> Iterator[Datum]:
+        """The law as a formula, and its coefficient."""
+        from tmmcalc.report.language import tr
+        from tmmcalc.report.manuscript import Datum
+        from tmmcalc.spec.dimensions import DIMENSIONS
+
+        of_force, of_moment = self.dimensions
+        if called.kind == "force":
+            letter, dimension = "v", of_force
+            said = tr("given load {name}; $v$ – velocity of its point along its direction", name=called.load)
+        else:
+            letter, dimension = "omega", of_moment
+            said = tr("given load {name}; $omega$ – angular velocity of its link", name=called.load)
+        size = letter if self.order == 1 else f"{letter}*abs({letter})"
+        yield Datum(said, (called.key,), text=f"$-c_{{{called.index}}}*{size}$")
+        about = tr("coefficient of load {name}", name=called.load)
+        yield Datum(about, (f"c_{{{called.index}}}",), (self.coefficient,), DIMENSIONS[dimension].si)
 
     def against(self, factor: float, rate: Real) -> Real:
         """Its size (n,) with a load factor against a velocity (n,) per unit of input speed."""

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
-from tmmcalc.linkage.loadlaws.law import Key, Kind, Law, kind_of_values, values_of
+from tmmcalc.linkage.loadlaws.law import Called, Key, Kind, Law, in_rows, kind_of_values, values_of
 from tmmcalc.linkage.loadlaws.placed import Placed
 from tmmcalc.spec.quantities import Force, InputDistance, Moment, Quantity
 from tmmcalc.spec.table import Table
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.chain import Configuration
     from tmmcalc.linkage.loads.travel import Travel
     from tmmcalc.linkage.loads.values import Acting, Value
+    from tmmcalc.report.manuscript import Datum
     from tmmcalc.spec.findings import Finding
     from tmmcalc.spec.outline import Outline, Raw
     from tmmcalc.spec.phrases import Path
@@ -135,6 +136,47 @@ class Tabulated(Placed):
     def alike(self) -> bool:
         """Where no stroke of an output is asked for."""
         return self.of in ("angle", "position")
+
+    def given(self, table: Any, called: Called) -> "Iterator[Datum]":
+        """The points, what is between them, when they come back."""
+        from tmmcalc.report.language import tr
+        from tmmcalc.report.manuscript import Datum
+
+        values = tr("values of load {name} there", name=called.load)
+        yield from in_rows(self._abscissae_given(called), Datum(values, (called.key,), self.values, called.unit))
+        between = {
+            "linear": tr("straight lines"),
+            "pchip": tr("a smooth curve, monotone between the points (cubics of Fritsch and Carlson, pchip)"),
+        }
+        yield Datum(tr("load {name} between its points", name=called.load), text=between[self.interpolation])
+        if table.table.period is not None:
+            said = tr("angle of the crank after which the values of load {name} come back", name=called.load)
+            yield Datum(said, (), (math.degrees(table.table.period),), "deg")
+
+    def _abscissae_given(self, called: Called) -> "Datum":
+        """The abscissae with their meaning."""
+        from tmmcalc.report.language import tr
+        from tmmcalc.report.manuscript import Datum
+
+        name = called.load
+        if self.of == "position":
+            return Datum(tr("points of load {name}: positions", name=name), values=self.x)
+        if self.of == "angle":
+            if not called.turns:
+                return Datum(tr("points of load {name}: travel of the drive from the first position", name=name),
+                             ("Deltas",), self.x, "m")  # fmt: skip
+            return Datum(tr("points of load {name}: angle of the crank from the first position", name=name),
+                         ("phi",), tuple(map(math.degrees, self.x)), "deg")  # fmt: skip
+        own = called.outputs.get(self.output)
+        whose = tr("coordinate of the output") if own is None else own.said
+        if self.of == "stroke":
+            said = tr("points of load {name}: {coordinate}, from its lesser extreme, in parts of the stroke",
+                      name=name, coordinate=whose)  # fmt: skip
+            return Datum(said, (f"xi_{{{called.index}}}",), self.x)
+        said = tr("points of load {name}: {coordinate}, from its lesser extreme", name=name, coordinate=whose)
+        if own is not None and own.angular:
+            return Datum(said, (f"psi_{{{called.index}}}",), tuple(map(math.degrees, self.x)), "deg")
+        return Datum(said, (f"s_{{{called.index}}}",), self.x, "m")
 
     def along(self, acting: "Acting") -> "Value":
         """The values, with lines or a curve between them."""

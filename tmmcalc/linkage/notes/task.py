@@ -1,33 +1,38 @@
-"""What is given of a linkage: its scheme with the letters, its metric, its masses, what acts on it."""
+"""What is given of a linkage: its scheme with the letters, its motion, its metric, what acts on it, wanted paths.
+
+Of a linkage that a synthesis finds the metric is the answer: neither it nor the scheme is given.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from functools import partial
-from itertools import combinations
+from typing import TYPE_CHECKING
 
 from tmmcalc.linkage.chain import chain_of
-from tmmcalc.linkage.loading import Body, Load, Loading, Pair
-from tmmcalc.linkage.model import FRAME, Mechanism
-from tmmcalc.linkage.notes.group import guide_name, plain_name
+from tmmcalc.linkage.loadlaws.law import in_rows
+from tmmcalc.linkage.model import Output
+from tmmcalc.linkage.notes.bases import Seen, seen_of
+from tmmcalc.linkage.notes.givenloads import given_loads
+from tmmcalc.linkage.notes.givenmotion import input_motion, unsteady_motion
+from tmmcalc.linkage.notes.metric import coordinate_said, counted, metric
 from tmmcalc.linkage.notes.shown import rows_shown
-from tmmcalc.linkage.notes.statics.loaded import force_key
+from tmmcalc.linkage.paths.task import WantedPath
 from tmmcalc.linkage.pictures.cycle import whole_cycle
 from tmmcalc.linkage.pictures.scheme import draw_scheme
-from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+from tmmcalc.linkage.tables.tasks.paths import to_paths
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Datum, Figure
-from tmmcalc.report.telling import numeral
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.room import LinkageTables
 
 EXTREME = "extreme"  # a beginning that is found
 SIZE = (150.0, 95.0)  # of the scheme [mm]
-NEAR = 1e-9  # [m] within which points are one
-SIDES = 3  # pins of a link up to which all distances are given
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -35,210 +40,96 @@ def blocks(order: Order) -> Iterator[Block]:
     if "kinematics" not in order.results:
         return
     mechanism, result = to_linkage(order.spec.linkage), order.results["kinematics"]
-    chain = chain_of(mechanism, result)
-    row = rows_shown(order, chain, result)[0]
-    draw = partial(draw_scheme, result=result, cycle=whole_cycle(chain, result), positions=[row])
-    yield Figure(tr("Scheme of the mechanism"), draw, SIZE, "task_scheme")
-    yield from _motion(order, result)
-    yield from _metric(mechanism)
-    if {"forces", "reduction", "balance"} & set(order.results):
-        yield from _loading(order, mechanism, to_loading(order.spec))
+    known = order.spec.synthesis is None
+    if known:
+        chain = chain_of(mechanism, result)
+        row = rows_shown(order, chain, result)[0]
+        draw = partial(draw_scheme, result=result, cycle=whole_cycle(chain, result), positions=[row])
+        yield Figure(tr("Scheme of the mechanism"), draw, SIZE, "task_scheme")
+    seen = seen_of(mechanism, result.structure)
+    loaded = bool({"forces", "reduction", "balance"} & set(order.results))
+    yield from input_motion(order.spec.linkage, seen, result, known=known)
+    strokes, cycle = _of_strokes(order.spec), result.turns and order.spec.linkage.grid.span is None
+    for output in mechanism.outputs:
+        yield from _output(seen, output, asked=output.name in strokes, cycle=cycle)
+    if turning := [str(output.link) for output in mechanism.outputs if output.link is not None]:
+        yield Datum(tr("links whose angle is an output"), text=", ".join(turning))
+    if known:
+        yield from metric(seen, centres=not loaded)
+        yield from _coordinates(seen)
+        yield from _angles(seen, result)
+    if loaded:
+        yield from given_loads(order.spec, seen, metric=known)
+    for path in to_paths(order.spec):
+        yield from _path(path, turns=result.turns)
+    if order.spec.unsteady is not None:
+        yield from unsteady_motion(order.spec, mechanism, turns=result.turns)
 
 
-def _motion(order: Order, result: Kinematics) -> Iterator[Datum]:
-    """The motion of the input, the positions, in which sense outputs are counted."""
-    table = order.spec.linkage
-    if result.turns:
-        name = f"n_{result.structure.input_link}"
-        yield Datum(tr("speed of the crank"), (name,), (abs(result.speed) * 30 / math.pi,), "rpm")
-        sense = tr("counter-clockwise") if result.speed > 0 else tr("clockwise")
-        yield Datum(tr("sense in which the crank turns"), text=sense)
-    even = [label for label in result.labels if label.isdigit()]  # without those between, as 7'
-    yield Datum(tr("number of equal steps of the cycle"), ("n",), (float(len(even) - 1),))
-    if table.input.start == EXTREME:
-        yield Datum(tr("beginning of the count, position 0"), text=tr("dead centre before the working stroke"))
-    elif result.turns:
-        yield Datum(tr("position 0: angle of the crank from axis $x$"), (), (math.degrees(table.input.start),), "deg")
-    for output in table.outputs:
-        if output.point is not None:
-            said = tr("direction of the coordinate of point {point}, from axis $x$", point=output.point)
-            yield Datum(said, (), (math.degrees(output.direction),), "deg")
+def _of_strokes(spec: LinkageTables) -> set[str | None]:
+    """The outputs on whose working stroke something depends."""
+    windows = [load for load in spec.loads if load.stroke is not None]
+    grid, first = spec.linkage.grid, spec.linkage.input.start == EXTREME
+    first = first or grid.working is not None or any(load.output is None for load in windows)
+    names = {load.output for load in windows}
+    return names | {output.name for output in to_linkage(spec.linkage).outputs[:1] if first}
 
 
-def _metric(mechanism: Mechanism) -> Iterator[Datum]:
-    """Points of the frame, guides on it, distances of the pins of every link."""
-    pins = [pin for pin in find_pins(mechanism) if pin.joints]
-    for pin in pins:
-        if pin.fixed:
-            name = plain_name(pin.name)
-            yield _point(tr("coordinates of point {point}", point=name), name, pin.at[FRAME])
-    for joint in mechanism.joints:
-        if joint.kind == "prismatic" and FRAME in joint.links:
-            side, link = joint.links.index(FRAME), joint.other(FRAME)
-            said = tr("coordinates of a point of the guide of link {link}", link=link)
-            yield _point(said, guide_name(tuple(pins), joint), joint.points[side])
-            angle = _degrees(joint.directions[side])
-            yield Datum(tr("angle of the guide of link {link}", link=link), (f"gamma_{link}",), (angle,), "deg")
-    for own in mechanism.links:
-        for first, second in _distances([pin for pin in pins if own.id in pin.at]):
-            yield _distance(plain_name(first.name), plain_name(second.name), second.at[own.id] - first.at[own.id])
+def _output(seen: Seen, output: Output, *, asked: bool, cycle: bool) -> Iterator[Datum]:
+    """In which sense an output is counted, and which of its strokes is the working one."""
+    coordinate = coordinate_said(seen.mechanism, output)
+    if output.point is not None:
+        said = tr("direction of the coordinate of point {point}, from axis $x$", point=output.point)
+        named = tr("{coordinate}: its direction from axis $x$", coordinate=coordinate)
+        yield Datum(said if output.label is None else named, (), (math.degrees(output.direction),), "deg")
+    senses = {
+        "negative": tr("that on which this coordinate grows"),
+        "positive": tr("that on which this coordinate falls"),
+        None: tr("the longest by the angle of the crank; of equal ones the one from the greatest coordinate on")
+        if cycle
+        else tr("the first whole one"),
+    }
+    if output.resistance is not None or asked:
+        said = tr("{coordinate}: its working stroke", coordinate=coordinate)
+        yield Datum(said, text=senses[output.resistance])
 
 
-def _distances(pins: Sequence[Pin]) -> Iterator[tuple[Pin, Pin]]:
-    """The pins between which distances are given: all of a triangle, those to the first two of more."""
-    for first, second in combinations(pins, 2):
-        if len(pins) <= SIDES or first in pins[:2]:
-            yield first, second
+def _coordinates(seen: Seen) -> Iterator[Datum]:
+    """Of the prismatic joints that are driven, or outputs, from where their coordinates are counted."""
+    mechanism = seen.mechanism
+    asked = [mechanism.input.joint, *(output.joint for output in mechanism.outputs if output.joint is not None)]
+    for name in dict.fromkeys(asked):
+        joint = mechanism.joint(name)
+        if joint.kind == "prismatic":
+            yield from counted(seen, joint)
 
 
-def _point(said: str, name: str, at: complex) -> Datum:
-    return Datum(said, (f"x_{{{name}}}", f"y_{{{name}}}"), (at.real, at.imag), "m")
+def _angles(seen: Seen, result: Kinematics) -> Iterator[Datum]:
+    """Of links that turn the line that has their angle, where it is another than that which is seen."""
+    trace = result.trace
+    for link, rates in zip(trace.link_ids, trace.dangle, strict=True):
+        base = seen.bases[link]
+        turn = base.angle(1 + 0j)
+        if rates.any() and turn:
+            said = tr("line of link {link} that has its angle, {origin}", link=link, origin=base.origin)
+            yield Datum(said, (), (turn,), "deg")
 
 
-def _distance(first: str, second: str, vector: complex) -> Datum:
-    said = tr("distance between points {first} and {second}", first=first, second=second)
-    return Datum(said, (f"l_{{{first}{second}}}",), (abs(vector),), "m")
-
-
-def _loading(order: Order, mechanism: Mechanism, loading: Loading) -> Iterator[Datum]:
-    """Masses with their centres, gravity, loads, friction with the sizes of the pairs."""
-    pins = [pin for pin in find_pins(mechanism) if pin.joints]
-    for body in loading.bodies:
-        if body.mass:
-            yield Datum(tr("mass of link {link}", link=body.link), (f"m_{body.link}",), (body.mass,), "kg")
-            yield from _centre(body, pins)
-        if body.inertia:
-            said = tr("moment of inertia of link {link} about its centre of mass", link=body.link)
-            yield Datum(said, (f"J_{body.link}",), (body.inertia,), "kg*m^2")
-    yield from _gravity(loading.gravity)
-    for table, load in zip(order.spec.loads, loading.loads, strict=True):
-        yield from _load(table, load.name)
-        yield from _applied(load, find_pins(mechanism))
-    rubbing = [pair for pair in loading.pairs if pair.friction]
-    yield from _alike(rubbing, "f", [pair.friction for pair in rubbing], "")
-    round_ = [pair for pair in rubbing if pair.radius]
-    yield from _alike(round_, "r", [pair.radius for pair in round_], "m")
-    for pair in loading.pairs:
-        if pair.length:
-            link = mechanism.joint(pair.joint).links[0]
-            yield Datum(tr("length of the slider of link {link}", link=link), (f"l_{link}",), (pair.length,), "m")
-
-
-def _gravity(gravity: complex) -> Iterator[Datum]:
-    """Gravity [m/s^2] and where it points."""
-    if not gravity:
-        return
-    down = abs(gravity.real) < NEAR and gravity.imag < 0
-    said = tr("acceleration of gravity, directed against axis $y$") if down else tr("acceleration of gravity")
-    yield Datum(said, ("g",), (abs(gravity),), "m/s^2")
-    if not down:
-        yield Datum(tr("direction of gravity, from axis $x$"), (), (_degrees(gravity),), "deg")
-
-
-def _degrees(direction: complex) -> float:
-    """The angle [deg] of a vector from axis x."""
-    return math.degrees(math.atan2(direction.imag, direction.real))
-
-
-def _centre(body: Body, pins: Sequence[Pin]) -> Iterator[Datum]:
-    """Where the centre of mass lies: in a pin, or by its distances from the first pins of the link."""
-    pin = _pin_at(body.link, body.center, pins)
-    if pin is None:
-        yield from _from_pins(body.link, f"S{body.link}", body.center, pins)
-    else:
-        said = tr("centre of mass of link {link}", link=body.link)
-        yield Datum(said, (f"S_{body.link}",), text=tr("in point {point}", point=plain_name(pin.name)))
-
-
-def _pin_at(link: int, at: complex, pins: Sequence[Pin]) -> Pin | None:
-    """The pin that lies at a place of a link, in its axes [m]."""
-    return next((pin for pin in pins if link in pin.at and abs(pin.at[link] - at) < NEAR), None)
-
-
-def _from_pins(link: int, name: str, at: complex, pins: Sequence[Pin]) -> Iterator[Datum]:
-    """The distances of a point of a link from its first pins; from one, where the point lies on their line."""
-    own = [pin for pin in pins if link in pin.at]
-    for pin in own[:2]:
-        vector = at - pin.at[link]
-        yield _distance(plain_name(pin.name), name, vector)
-        if len(own) > 1 and abs((vector / (own[1].at[link] - own[0].at[link])).imag) < NEAR:
-            return
-
-
-def _load(table: object, name: str) -> Iterator[Datum]:
-    """A load that is constant or a polynomial of the angle, and where it acts."""
-    called = tr("“{name}”", name=name)
-    for kind, unit in (("force", "N"), ("moment", "N*m")):
-        value = getattr(table, kind, None)
-        if isinstance(value, float):
-            yield Datum(f"{tr('given load')} {called}", (force_key(name),), (value,), unit)
-        coefficients = getattr(getattr(table, "polynomial", None), kind, None)
-        if coefficients is not None:
-            said = tr("given load {name}; $theta$ – angle of the crank from its beginning, rad", name=called)
-            yield Datum(said, (force_key(name),), text=f"${_polynomial(coefficients)}$ {tr_unit(unit)}")
-    if "factor" in getattr(table, "model_fields_set", ()):
-        yield Datum(tr("factor of load {name}", name=called), ("k",), (getattr(table, "factor", 1.0),))
-    between = getattr(table, "between", None)
-    if between is not None:
-        said = tr("where load {name} begins and ends, by the angle of the crank from the first position", name=called)
-        yield Datum(said, ("phi",), tuple(map(math.degrees, between)), "deg")
-
-
-def _applied(load: Load, points: Sequence[Pin]) -> Iterator[Datum]:
-    """The link and the point on which a load acts, and along what it is positive."""
-    called, pins = tr("“{name}”", name=load.name), [point for point in points if point.joints]
-    link = tr("link {link}", link=load.link)
-    where = tr("where load {name} is applied", name=called)
-    if load.kind == "moment":
-        yield Datum(where, text=link)
-        yield Datum(tr("positive sense of load {name}", name=called), text=tr("counter-clockwise"))
-    else:
-        known = _pin_at(load.link, load.point, points)
-        name = plain_name(load.name if known is None else known.name)
-        yield Datum(where, text=tr("{link}, point {point}", link=link, point=name))
-        if known is None or not known.joints:
-            yield from _from_pins(load.link, name, load.point, pins)
-        yield _direction(load, called, pins)
-    if load.against != FRAME:
-        said = tr("link that takes the opposite of load {name}", name=called)
-        yield Datum(said, text=tr("link {link}", link=load.against))
-
-
-def _direction(load: Load, called: str, pins: Sequence[Pin]) -> Datum:
-    """Along what a force is positive: from axis x, or from the line of the link with which it turns."""
-    own = [pin for pin in pins if load.follows in pin.at]
-    if load.follows == FRAME or len(own) < 2:
-        said = tr("positive direction of load {name}, from axis $x$", name=called)
-        if load.follows != FRAME:
-            said = tr("positive direction of load {name}, from axis $x$ of link {link}", name=called, link=load.follows)
-        return Datum(said, (), (_degrees(load.direction),), "deg")
-    first, second = own[:2]
-    line = f"{plain_name(first.name)}{plain_name(second.name)}"
-    said = tr("positive direction of load {name}, from line {line} with which it turns", name=called, line=line)
-    turned = load.direction / (second.at[load.follows] - first.at[load.follows])
-    return Datum(said, (), (_degrees(turned),), "deg")
-
-
-def _polynomial(coefficients: Sequence[float]) -> str:
-    """A polynomial of the angle as a formula.
-
-    >>> _polynomial([0.0, -180.0, 68.75])
-    '- 180*theta + 68.75*theta**2'
-    """
-    terms = []
-    for power, value in enumerate(coefficients):
-        if value:
-            angle = ["", "*theta"][power] if power < 2 else f"*theta**{power}"
-            terms.append(f"{'-' if value < 0 else '+'} {numeral(abs(value))}{angle}")
-    return " ".join(terms).removeprefix("+ ") or "0"
-
-
-def _alike(pairs: Sequence[Pair], letter: str, values: Sequence[float], unit: str) -> Iterator[Datum]:
-    """A quantity of several pairs, those with one value together."""
-    for value in dict.fromkeys(values):
-        names = ", ".join(pair.joint for pair, own in zip(pairs, values, strict=True) if own == value)
-        said = {
-            "f": tr("coefficient of friction: {pairs}", pairs=names),
-            "r": tr("radius of the pins: {pairs}", pairs=names),
-        }[letter]
-        yield Datum(said, (letter,), (value,), unit)
+def _path(path: WantedPath, *, turns: bool) -> Iterator[Datum]:
+    """The points that a point of the linkage is to pass, as they lie in the plane, and when."""
+    words = {"path": tr("“{name}”", name=path.name), "point": path.point}
+    turn = complex(math.cos(path.turn), math.sin(path.turn))
+    wanted = [at * turn + path.shift for at in path.through]
+    abscissae = tr("wanted path {path} of point {point}: abscissae", **words)
+    ordinates = tr("wanted path {path} of point {point}: ordinates", **words)
+    lists = [
+        Datum(abscissae, ("x_i",), tuple(at.real for at in wanted), "m"),
+        Datum(ordinates, ("y_i",), tuple(at.imag for at in wanted), "m"),
+    ]
+    if path.at and turns:
+        said = tr("wanted path {path} of point {point}: angle of the crank from the first position", **words)
+        lists.append(Datum(said, ("phi_i",), tuple(map(math.degrees, path.at)), "deg"))
+    elif path.at:
+        said = tr("wanted path {path} of point {point}: travel of the drive from the first position", **words)
+        lists.append(Datum(said, ("Deltas_i",), path.at, "m"))
+    yield from in_rows(*lists)

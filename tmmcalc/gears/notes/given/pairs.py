@@ -205,10 +205,6 @@ def _open(order: Order, found: MeshPair) -> Iterator[Datum]:
     yield from of_material(to_material(table.gear), of(tr("material of the gear")), planets=False)
     said = tr("place of the wheels between their bearings, row of table D.4.1")
     yield Datum(of(said), (), (float(table.arrangement),))
-    drive = order.spec.drive
-    if drive is not None and drive.kind == "gear" and drive.pinion is not None:
-        said = tr("direction from the pivot of the crank to the centre of the pinion, from axis $x$")
-        yield Datum(said, (), (math.degrees(drive.pinion),), "deg")
 
 
 def of_wheel(order: Order) -> Iterator[Datum]:

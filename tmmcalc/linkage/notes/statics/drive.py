@@ -64,7 +64,7 @@ def _mesh(loaded: Loaded, gear: GearDrive) -> Iterator[Block]:
         )
     said = tr("The drive acts through the mesh of a gear: its force lies on the line of action and makes this moment.")
     if gear.open:
-        said += " " + tr("Radius and angle are those of the open pair {pair}.", pair=gear.open)
+        said += " " + tr("Radius and angle are those of the open pair {pair}.", pair=gear.teeth)
     radial = "+" if gear.internal else "-"
     yield Paragraph(said)
     yield from loaded.lines(

@@ -28,7 +28,7 @@ def of_weights(order: Order) -> Iterator[Datum]:
         if found.mass is not None:
             yield Datum(tr("mass of each balancing weight"), ("m_w",), (found.mass,), "kg")
         elif found.radius is not None:
-            yield Datum(tr("radius of the balancing weights"), ("r_w",), (found.radius,), "m")
+            yield Datum(tr("radius of the balancing weights"), ("r_k",), (found.radius,), "m")
     if table is None:
         return
     task = to_balance(order.spec)
