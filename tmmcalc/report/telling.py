@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import TypeVar
 
 import numpy as np
@@ -30,6 +31,7 @@ from tmmcalc.report.sheets.piece import Piece
 
 Step = TypeVar("Step")
 STILL = 1e-12  # a value this small in every shown place is nothing
+CELL = 12  # values of a list that stand in one cell
 DIGITS = 5  # of the largest number of a column, of a number within a sentence
 WIDE, HIGH = 160.0, 130.0  # that a picture may be [mm]
 LATIN = {greek: name for name, greek in GREEK.items()}  # names of Greek letters
@@ -222,6 +224,17 @@ def data_of(known: Mapping[str, Given], what: str = "") -> Iterator[Datum]:
     for name, given in known.items():
         assert isinstance(given.value, float)
         yield Datum(f"{what}: {given.meaning}" if what else given.meaning, (name,), (given.value,), given.unit)
+
+
+def in_rows(*lists: Datum) -> Iterator[Datum]:
+    """Lists of equal length under each other, long ones part by part."""
+    count = len(lists[0].values)
+    parts = -(-count // CELL)
+    ends = [count * part // parts for part in range(parts + 1)]
+    for begin, end in pairwise(ends):
+        for each in lists:
+            said = tr("{what}, points {first} to {last}", what=each.what, first=begin + 1, last=end)
+            yield each._replace(what=each.what if parts == 1 else said, values=each.values[begin:end])
 
 
 def data_table(caption: str, data: Iterable[Block], key: str = "", digits: int = DIGITS) -> Table:

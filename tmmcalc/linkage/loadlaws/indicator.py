@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 from pydantic import Field
 
 from tmmcalc.core.records import record
-from tmmcalc.linkage.loadlaws.law import Called, Key, Kind, Law, in_rows
+from tmmcalc.linkage.loadlaws.law import Called, Key, Kind, Law
 from tmmcalc.linkage.loadlaws.placed import Placed
 from tmmcalc.spec.quantities import Number, Quantity, Size
 from tmmcalc.spec.table import Table
@@ -123,6 +123,7 @@ class Indicator(Placed):
         """The piston, the pressure behind it, the diagram stroke by stroke."""
         from tmmcalc.report.language import tr
         from tmmcalc.report.manuscript import Datum
+        from tmmcalc.report.telling import in_rows
 
         name, index = called.load, called.index
         pressure, back, area = f"p_{{{index}}}", f"p_{{{index},0}}", f"A_{{{index}}}"

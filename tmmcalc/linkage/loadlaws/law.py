@@ -14,7 +14,6 @@ A table in a CSV file is named in the manifest.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 
 from tmmcalc.core.records import record
@@ -26,7 +25,6 @@ if TYPE_CHECKING:
     from tmmcalc.spec.phrases import Path, Said
 
 Kind = Literal["force", "moment"]
-ROW = 12  # values of a list that stand in one cell
 
 
 class Key(NamedTuple):
@@ -131,16 +129,3 @@ def kind_of_values(load: Raw, key: str) -> Kind | None:
 def values_of(table: Any) -> tuple[Kind, tuple[float, ...]]:
     """The values of a checked table under ``force`` or ``moment``."""
     return ("force", tuple(table.force)) if table.force is not None else ("moment", tuple(table.moment or ()))
-
-
-def in_rows(*lists: Datum) -> Iterator[Datum]:
-    """Lists of equal length under each other, long ones part by part."""
-    from tmmcalc.report.language import tr
-
-    count = len(lists[0].values)
-    parts = -(-count // ROW)
-    ends = [count * part // parts for part in range(parts + 1)]
-    for begin, end in pairwise(ends):
-        for each in lists:
-            said = tr("{what}, points {first} to {last}", what=each.what, first=begin + 1, last=end)
-            yield each._replace(what=each.what if parts == 1 else said, values=each.values[begin:end])

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
-from tmmcalc.linkage.loadlaws.law import Called, Key, Kind, Law, in_rows, kind_of_values, values_of
+from tmmcalc.linkage.loadlaws.law import Called, Key, Kind, Law, kind_of_values, values_of
 from tmmcalc.linkage.loadlaws.placed import Placed
 from tmmcalc.spec.quantities import Force, InputDistance, Moment, Quantity
 from tmmcalc.spec.table import Table
@@ -141,6 +141,7 @@ class Tabulated(Placed):
         """The points, what is between them, when they come back."""
         from tmmcalc.report.language import tr
         from tmmcalc.report.manuscript import Datum
+        from tmmcalc.report.telling import in_rows
 
         values = tr("values of load {name} there", name=called.load)
         yield from in_rows(self._abscissae_given(called), Datum(values, (called.key,), self.values, called.unit))

@@ -11,12 +11,11 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from tmmcalc.linkage.chain import chain_of
-from tmmcalc.linkage.loadlaws.law import in_rows
 from tmmcalc.linkage.model import Output
-from tmmcalc.linkage.notes.bases import Seen, seen_of
-from tmmcalc.linkage.notes.givenloads import given_loads
-from tmmcalc.linkage.notes.givenmotion import input_motion, unsteady_motion
-from tmmcalc.linkage.notes.metric import coordinate_said, counted, metric
+from tmmcalc.linkage.notes.given.bases import Seen, seen_of
+from tmmcalc.linkage.notes.given.loads import given_loads
+from tmmcalc.linkage.notes.given.metric import coordinate_said, counted, metric
+from tmmcalc.linkage.notes.given.motion import input_motion, unsteady_motion
 from tmmcalc.linkage.notes.shown import rows_shown
 from tmmcalc.linkage.paths.task import WantedPath
 from tmmcalc.linkage.pictures.cycle import whole_cycle
@@ -27,6 +26,7 @@ from tmmcalc.linkage.tables.tasks.paths import to_paths
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Datum, Figure
+from tmmcalc.report.telling import in_rows
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.room import LinkageTables

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 from tmmcalc.linkage.loading import Body, GearDrive, Load, Loading, Pair, Spring
 from tmmcalc.linkage.loadlaws.law import Called, Coordinate
 from tmmcalc.linkage.model import FRAME
-from tmmcalc.linkage.notes.bases import Seen
+from tmmcalc.linkage.notes.given.bases import Seen
+from tmmcalc.linkage.notes.given.metric import coordinate_said, coordinates, degrees, place
 from tmmcalc.linkage.notes.group import plain_name
-from tmmcalc.linkage.notes.metric import coordinate_said, coordinates, degrees, place
 from tmmcalc.linkage.notes.statics.loaded import force_key
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.report.language import tr

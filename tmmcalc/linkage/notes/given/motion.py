@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.notes.bases import Seen
-from tmmcalc.linkage.notes.metric import coordinate_said
+from tmmcalc.linkage.notes.given.bases import Seen
+from tmmcalc.linkage.notes.given.metric import coordinate_said
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.tables.tasks.unsteady import to_unsteady
 from tmmcalc.report.language import tr

@@ -8,7 +8,7 @@ from itertools import combinations
 
 from tmmcalc.core.plane import cross
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism, Output
-from tmmcalc.linkage.notes.bases import NEAR, Base, Seen, line_on
+from tmmcalc.linkage.notes.given.bases import NEAR, Base, Seen, line_on
 from tmmcalc.linkage.notes.group import guide_name, plain_name
 from tmmcalc.linkage.pins import Pin
 from tmmcalc.report.language import tr
