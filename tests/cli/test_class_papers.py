@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 import shutil
 from importlib.util import find_spec
 from pathlib import Path
@@ -165,3 +166,36 @@ def test_a_class_of_which_nothing_is_handed_in_is_marked(keyed: Cli) -> None:
     assert told.code == 0
     assert "nothing from  3" in told.out
     assert Path("marks.csv").read_text(encoding="utf-8-sig").count("nothing was handed in") == 3
+
+
+@pytest.mark.parametrize(
+    ("name", "drawn", "ends", "asked", "told"),
+    [
+        ("synth-crank-rocker", "synthesis.crank_rocker.swing", ("35 deg", "45 deg", "1 deg"), "synthesis.r", "Θ"),
+        ("synth-slider-crank", "synthesis.slider_crank.stroke", ("180 mm", "220 mm", "1 mm"), "synthesis.l", "S"),
+        ("synth-function", "synthesis.function.input_range", ("88 deg", "92 deg", "0.5 deg"), "synthesis.b", "Δφ"),
+        ("extra-bearing", "bearing.wheel_speed", ("1 m/s", "2 m/s", "0.1 m/s"), "bearing.BPFO", "v"),
+        ("manipulator", "manipulator.speed", ("0.5 m/s", "0.8 m/s", "0.05 m/s"), "manipulator.T", "v_m"),
+        ("pendulum-rotor", "pendulum.disc.mass", ("3 kg", "5 kg", "0.1 kg"), "pendulum.whirl", "m"),
+    ],
+)
+def test_any_scene_has_sheets_that_tell_what_is_drawn_and_not_what_is_asked(
+    cli: Cli, name: str, drawn: str, ends: tuple[str, str, str], asked: str, told: str
+) -> None:
+    low, high, step = ends
+    draw = f'of = "{drawn}"\nat_least = "{low}"\nat_most = "{high}"\nstep = "{step}"'
+    own = f'[class]\nspread = 2\n[[class.drawn]]\n{draw}\n[[class.asked]]\nname = "answer"\nresult = "{asked}"\n'
+    Path("own.toml").write_text(f"{(CONFIGS / f'{name}.toml').read_text(encoding='utf-8')}\n{own}")
+    assert cli("class", "make", "own.toml", "-n", "2", "--seed", "1", "--sheets", "txt", "-q", "-j", "1").code == 0
+    assert cli("class", "keys", "class", "-q", "-j", "1").code == 0
+    with Path("class/keys/keys.csv").open(encoding="utf-8-sig", newline="") as lines:
+        right = [float(row["value"]) for row in csv.DictReader(lines)]
+    sheets = [Path(f"class/sheets/{number:02d}.txt").read_text(encoding="utf-8") for number in (1, 2)]
+    for sheet, value in zip(sheets, right, strict=True):
+        before, after = sheet.split("Data of this variant alone")[1].split("Data of all variants")
+        assert f"  {told}  " in before, "what is drawn stands under its letter among the own data"
+        assert not any(abs(abs(number) - abs(value)) <= 1e-3 * abs(value) for number in numbers_in(before + after))
+
+
+def numbers_in(text: str) -> list[float]:
+    return [float(each) for each in re.findall(r"(?<![\w.])\d+\.?\d*", text)]

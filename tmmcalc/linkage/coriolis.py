@@ -18,5 +18,6 @@ def with_coriolis(part: float) -> Callable[..., Any]:
 
 
 def moving_guide(spec: Any) -> bool:
-    """Whether a guide is on a moving link, without which there is no such acceleration."""
-    return any(joint.kind == "prismatic" and joint.links[1] for joint in spec.linkage.joints)
+    """Whether a guide is on a moving link, without which there is no such acceleration; of a linkage that is known."""
+    joints = () if spec.mechanism is None else spec.mechanism.joints
+    return any(joint.kind == "prismatic" and joint.links[1] for joint in joints)

@@ -178,7 +178,7 @@ def traced(assignment: Path) -> tuple[Own, tuple[int, ...]]:
     drawn = drawn_of(spec, frame_of(assignment, (), keys, ()).axes)
     own, further, place = set[tuple[str, tuple[str, ...]]](), list[int](), 0
     base = _scene(variants, spec).run
-    first: dict[Telling, Data] = {of: _data(of, spec, base) for of in (task_of, given_in)}
+    first: dict[Telling, Data] = {task_of: _data(task_of, spec, base), given_in: _data(given_in, base.spec, base)}
     for each, ends in zip(drawn, spans(drawn), strict=True):
         differing = _differing(variants, each, ends, base, first)
         own |= differing
@@ -195,7 +195,8 @@ def _differing(
         for end in ends:
             changed = variants.spec([axis.assignment(float(end)) for axis in drawn.axes])
             try:
-                data = _data(of, changed, base if of is task_of else run(changed))
+                done = base if of is task_of else run(changed)
+                data = _data(of, changed if of is task_of else done.spec, done)
             except TmmError:
                 continue
             if found := {mark for mark in {*data, *known} if data.get(mark) != known.get(mark)}:

@@ -37,14 +37,14 @@ SIZE = (150.0, 95.0)  # of the scheme [mm]
 
 def blocks(order: Order) -> Iterator[Block]:
     """The scheme in a position, then the data."""
-    if "kinematics" not in order.results:
+    if "kinematics" not in order.results or order.spec.mechanism is None:  # of a linkage that is still sought
         return
     mechanism, result = to_linkage(order.spec.linkage), order.results["kinematics"]
     known = order.spec.synthesis is None
     if known:
         chain = chain_of(mechanism, result)
         row = rows_shown(order, chain, result)[0]
-        draw = partial(draw_scheme, result=result, cycle=whole_cycle(chain, result), positions=[row])
+        draw = partial(draw_scheme, result=result, cycle=whole_cycle(chain, result), positions=[row], given=True)
         yield Figure(tr("Scheme of the mechanism"), draw, SIZE, "task_scheme")
     seen = seen_of(mechanism, result.structure)
     loaded = bool({"forces", "reduction", "balance"} & set(order.results))

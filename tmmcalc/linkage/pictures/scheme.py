@@ -40,21 +40,26 @@ def draw_scheme(
     cycle: LinkageMotion,
     positions: Sequence[int],
     beside: Plane = NOTHING,
+    *,
+    given: bool = False,
 ) -> Board:
     """Draw in a rectangle; the first of ``positions`` has main lines. Returns the board.
 
-    ``beside`` the linkage places (n,) have room, on which something is drawn after it.
+    ``beside`` the linkage places (n,) have room, on which something is drawn after it. As it is ``given`` it shows
+    nothing that is to be found: neither its formula nor the paths of its points.
     """
     top, larger = complex(box.left, box.top), drawing.letters
     scheme = _Scheme(drawing, box.inset(0, 0, 0, HEAD * larger), result, cycle, positions, beside)
-    scheme.paths()
+    if not given:
+        scheme.paths()
     scheme.others()
     scheme.frame()
     scheme.links()
     scheme.joints()
     scheme.drive()
     scheme.names()
-    drawing.add(Words(top, _title(result, positions[0], scheme.board.mu), 2.5 * larger, -1 + 1j))
+    title = position_text(result, positions[0]) if given else _title(result, positions[0], scheme.board.mu)
+    drawing.add(Words(top, title, 2.5 * larger, -1 + 1j))
     return scheme.board
 
 
