@@ -72,9 +72,10 @@ def _floated(first: Grid, stood: str, *, stays: bool) -> str:
 def _stands(grid: Grid) -> str:
     """Where a table stands by the number of its rows."""
     rows = len(grid.rows)
-    if not CHAPTER.match(grid.caption.number):
-        return "on"
-    return "here" if rows <= WHOLE[0] else "whole" if rows <= WHOLE[1] and _size_of([grid], SMALL) else "on"
+    if rows <= WHOLE[0]:
+        return "here"
+    floats = rows <= WHOLE[1] and CHAPTER.match(grid.caption.number) is not None
+    return "whole" if floats and _size_of([grid], SMALL) else "on"
 
 
 def _size_of(grids: Sequence[Grid], sizes: Sequence[float], wide: float = ACROSS) -> float:

@@ -92,16 +92,16 @@ def _blocks(who: str, given: Given, items: Sequence[Item], meanings: Sequence[st
     yield from given.said
     head = (tr("Quantity"), tr("Designation"), tr("Value"))
     if given.own:
-        yield Paragraph(tr("Table {tab:own} has the data of this variant alone."))
+        yield Paragraph(tr("The data of this variant alone (table {tab:own}):"))
         yield Table(tr("Data of this variant alone"), head, tuple(map(row_of, given.own)), "own")
     if given.common:
-        yield Paragraph(tr("Table {tab:common} has the data that are the same in all variants."))
+        yield Paragraph(tr("The data that are the same in all variants (table {tab:common}):"))
         yield Table(tr("Data of all variants"), head, tuple(map(row_of, given.common)), "common")
-    yield Paragraph(tr("Table {tab:asked} says what is to be found."))
+    yield Listing(tuple(_rules(items)))
+    yield Paragraph(tr("What is to be found (table {tab:asked}):"))
     columns = (tr("Name"), tr("What it is"), tr("Unit"), tr("Digits"), tr("Tolerance"), tr("Answer"))
     rows = tuple(_asked(item, meaning) for item, meaning in zip(items, meanings, strict=True))
     yield Table(tr("Asked results"), columns, rows, "asked")
-    yield Listing(tuple(_rules(items)))
 
 
 def _asked(item: Item, meaning: str) -> tuple[str, ...]:
