@@ -37,7 +37,7 @@ NUMBERS = [  # what the spec writes, with its own number
     ("in-line-engine", "places of the cylinders along the shaft", "0; 0.096; 0.192; 0.288 m"),
     ("gears-coaxial", "admitted deviation of the ratio", "0.08"),
     ("gears-coaxial", "proportions of the modules of stages 1 and 2", "2:3"),
-    ("gears-coaxial", "largest moment on the shaft that the train drives", "180 N·m"),
+    ("gears-coaxial", "largest moment on the output shaft of the train, whose losses are not counted", "180 N·m"),
     ("gears-unfolded", "largest relative difference of the diameters of the wheels", "3 %"),
     ("gears-unfolded", "place of the wheels between their bearings, row of table D.4.1", "3; 5"),
     ("gears-kinematic", "largest operating pressure angle", "22°"),

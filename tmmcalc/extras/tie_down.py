@@ -81,7 +81,11 @@ class TieDown:
     push: float = quantity("F[N]", "force that moves the load", source="(7)")
     press: float = quantity("G[N]", "force that presses the load on the cradle", source="(7)")
     preload: float = quantity("P0[N]", "preload of a tie", symbol="P_0")
-    force: float = quantity("R[N]", "force of a tie that is stretched, at least the preload", source="(3)")
+    force: float = quantity(
+        "R[N]",
+        "approximate force of a stretched tie, as if all ties pressed the load down as before; at least the preload",
+        source="(3)",
+    )
     change: float = quantity("dR[N]", "change R - P_0 of the force of a tie")
     opposite: float = quantity("R_opposite[N]", "force P_0 - dR of a tie that slackens, 0 once it is slack")
     vertical: float = quantity("vertical[N]", "vertical load 4 P_0 sin alpha of the ties")
@@ -91,7 +95,7 @@ class TieDown:
     best_elevation: float = quantity("alpha_best[rad]", "elevation of the least R")
     held: str = quantity("held_by", "what holds the load")  # "friction", "all ties", "two ties"
     stress: float | None = quantity("sigma[Pa]", "stress of a stretched tie, R by equilibrium over its section")
-    safety: float | None = quantity("safety", "yield stress of a tie over its stress")
+    safety: float | None = quantity("safety", "yield stress of a tie over its stress, R by equilibrium")
     thresholds: Thresholds
     labels: tuple[str, ...]
     k: Values = quantity("k[-]", "inertia force over weight")  # (n,)

@@ -35,7 +35,7 @@ GRIPPER = (
     Quantity("a{along}[m/s^2]", "acceleration of the gripper along {along}"),
 )
 ELBOW = Quantity("{along}_E[m]", "coordinate {along} of the elbow")
-ELBOW_ANGLE = Quantity("elbow[deg]", "angle between upper arm and forearm")
+ELBOW_ANGLE = Quantity("elbow[deg]", "angle from the upper arm to the forearm")
 JOINTS = (
     Quantity("psi[deg]", "angle of the base"),
     Quantity("omega_1[rad/s]", "angular velocity of the base"),

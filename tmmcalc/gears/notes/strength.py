@@ -115,7 +115,7 @@ def _torque(torque: Torque, planets: int, scheme: Layout) -> Iterator[Block]:
     if torque.source == GIVEN or torque.moment is None or torque.ratio is None:
         yield Paragraph(tr("The torque on wheel 1 is given: {torque}.", torque=value))
     else:
-        said = tr("largest moment on the shaft that the train drives")
+        said = tr("largest moment on the output shaft of the train, whose losses are not counted")
         if torque.source == REDUCTION:
             said = tr("largest reduced moment of the machine")
         lexicon = named(

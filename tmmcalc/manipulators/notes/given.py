@@ -131,9 +131,9 @@ def rows(task: ManipulatorTask) -> Iterator[Datum]:
         yield Datum(tr("Length of the forearm"), ("l_b",), (arm.forearm,), "m")
         if isinstance(asked, PathTask):
             side = (
-                tr("to the left of the line from the shoulder")
+                tr("to the left of the line from the shoulder to the gripper, seen along it")
                 if arm.elbow > 0
-                else tr("to the right of the line from the shoulder")
+                else tr("to the right of the line from the shoulder to the gripper, seen along it")
             )
             yield Datum(tr("Elbow"), text=side)
     if arm.height:

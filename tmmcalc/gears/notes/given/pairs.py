@@ -47,7 +47,7 @@ def of_pairs(order: Order) -> Iterator[Datum]:
             of = _named(found.task, k) if len(pairs) > 1 else str
             keys = [spec.pair, *_own(spec.pair.meshes, found.task, k)]
             yield from _rack(found, of, spec.train) if spec.pair.of_train else _pair(found, of)
-            yield Datum(of(tr("choice of the shifts")), text=_rule(found.task, keys))
+            yield Datum(of(tr("choice of the shifts")), text=_rule(found.task, keys, of_train=spec.pair.of_train))
             yield from _limits(found.task, keys, of)
             yield from _measures(found.task, of)
     if on_crank is not None:
@@ -67,11 +67,13 @@ def _own(tables: Sequence[PairMeshTable], task: PairTask, k: int) -> Sequence[Pa
     return [each for each in meshes if each.mesh == task.name] if meshes else tables[k : k + 1]
 
 
-def _rule(task: PairTask, keys: Sequence[PairKeys]) -> str:
+def _rule(task: PairTask, keys: Sequence[PairKeys], *, of_train: bool) -> str:
     """How the shifts are chosen; of a mesh of a train one shift may be that of the mesh before."""
     shifted = {"x1", "x2"} & {key for table in keys for key in table.model_fields_set}
     if task.strategy == "given_aw" and task.shifts != (None, None) and not shifted:
-        return tr("The centre distance is given; a wheel keeps the shift that it has in another mesh.")
+        return tr("The centre distance is that of the train; a wheel keeps the shift that it has in another mesh.")
+    if task.strategy == "given_aw" and of_train:
+        return tr("The centre distance is that of the train; the sum of the shifts follows from it.")
     return chosen(task)
 
 

@@ -28,7 +28,7 @@ def of_strength(order: Order) -> Iterator[Datum]:
     if table.torque is not None:
         yield Datum(tr("torque on wheel 1, of all branches together"), ("T_1",), (table.torque,), "N*m")
     if table.moment is not None:
-        said = tr("largest moment on the shaft that the train drives")
+        said = tr("largest moment on the output shaft of the train, whose losses are not counted")
         yield Datum(said, ("M_{max}",), (abs(table.moment),), "N*m")
     if table.moment_ratio is not None:
         said = tr("speed of wheel 1 over that of the shaft of this moment")

@@ -26,7 +26,7 @@ def of_train(order: Order) -> Iterator[Datum]:
         return
     requests = to_train(order.spec)
     yield Datum(tr("layout of the train"), text=", ".join(map(_layout, table.layout)))
-    yield from _ratio(table, requests)
+    yield from _ratio(table, requests, behind=order.spec.open_pair is not None)
     branched = [each for each in requests if each.scheme.branched]
     if branched:
         said = tr("number of planets") if branched[0].scheme.planetary else tr("number of layshafts")
@@ -49,8 +49,8 @@ def _layout(key: str) -> str:
     return layout_word(key) if scheme.planetary else lowered(tr_name(scheme.title))
 
 
-def _ratio(table: TrainTable, requests: Sequence[Request]) -> Iterator[Datum]:
-    """The ratio by its kind, or the speeds that give it; how far it may be off."""
+def _ratio(table: TrainTable, requests: Sequence[Request], *, behind: bool) -> Iterator[Datum]:
+    """The ratio by its kind, or the speeds that give it, ``behind`` an open pair less its own; how far it may be off."""
     kinds = {
         "u": tr("ratio that is asked for"),
         "i_1H": tr("ratio that is asked for, wheel 1 over the carrier"),
@@ -65,7 +65,10 @@ def _ratio(table: TrainTable, requests: Sequence[Request]) -> Iterator[Datum]:
         yield Datum(tr("speed of the input shaft"), (), (table.input_speed * 30 / math.pi,), "rpm")
         yield Datum(tr("speed of the output shaft"), (), (table.output_speed * 30 / math.pi,), "rpm")
     elif table.ratio is None:
-        yield Datum(kinds[kind], (asked_ratio(kind),), text=tr("that of the speeds of the motor and the crank"))
+        said = tr("that of the speeds of the motor and the crank")
+        if behind:
+            said = tr("that of the speeds of the motor and the crank over the ratio of the open pair")
+        yield Datum(kinds[kind], (asked_ratio(kind),), text=said)
     tolerances = _each(request.tolerance for request in requests)
     if table.tolerance_kind == "relative":
         yield Datum(tr("admitted error of the ratio"), ("Delta",), tuple(100 * each for each in tolerances), "%")
