@@ -50,7 +50,7 @@ def _layout(key: str) -> str:
 
 
 def _ratio(table: TrainTable, requests: Sequence[Request], *, behind: bool) -> Iterator[Datum]:
-    """The ratio by its kind, or the speeds that give it, ``behind`` an open pair less its own; how far it may be off."""
+    """The ratio by its kind, or the speeds that give it, those of a train ``behind`` an open pair; its tolerance."""
     kinds = {
         "u": tr("ratio that is asked for"),
         "i_1H": tr("ratio that is asked for, wheel 1 over the carrier"),
