@@ -43,8 +43,8 @@ def _chosen(task: BalanceTask) -> Datum:
         return Datum(tr("mass of each balancing weight"), ("m_w",), (task.mass,), "kg")
     said = tr("radius of the balancing weights")
     if task.radius is not None:
-        return Datum(said, ("r_p",), (task.radius,), "m")
-    return Datum(said, ("r_p",), text=tr("the length of the crank"))
+        return Datum(said, ("r_U",), (task.radius,), "m")
+    return Datum(said, ("r_U",), text=tr("the length of the crank"))
 
 
 def _on_link(place: Place) -> Datum:
