@@ -33,9 +33,9 @@ COMPOSED = {  # parts of ready specs that make one
     "engine with motor": ("electric-braking", "in-line-engine"),
     "engine and rotor beside a linkage": ("press", "in-line-engine", "rotor"),
     "engine, rotor and linkage with motor": ("shaper", "in-line-engine", "rotor"),
-    "cam with its own speed beside a linkage": ("geared-pump", "cam-flat"),
+    "cam with its own speed beside a linkage": ("crank-slider", "cam-groove"),
     "cam and engine beside an induction motor": ("elastic-drive", "cam-translating", "in-line-engine"),
-    "pump with open pair, engine, rotor": ("geared-pump", "in-line-engine", "rotor"),
+    "pump with open pair, engine, rotor, cam": ("geared-pump", "in-line-engine", "rotor", "cam-flat"),
 }
 SHORT = {"press", "rotor", "in-line-engine"}  # whose composed scene is quick
 

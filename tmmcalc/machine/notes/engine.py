@@ -57,8 +57,8 @@ def _cylinders_table(cylinders: Sequence[Cylinder]) -> Block:
         "$z_j$, m": [each.position_along_shaft for each in cylinders],
         "$gamma_j$, deg": [math.degrees(each.axis_angle) for each in cylinders],
         "$psi_j$, deg": [within_turn(each.crank_angle) for each in cylinders],
-        "$r$, m": [each.crank_radius for each in cylinders],
-        "$l$, m": [each.rod_length for each in cylinders],
+        "$r_j$, m": [each.crank_radius for each in cylinders],
+        "$l_j$, m": [each.rod_length for each in cylinders],
         "$m_r$, kg": [each.reciprocating_mass for each in cylinders],
         "$m_t$, kg": [each.rotating_mass for each in cylinders],
     }

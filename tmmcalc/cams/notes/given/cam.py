@@ -113,7 +113,7 @@ def _sizes(order: Order, told: Told) -> Iterator[Datum]:
         yield Datum(tr("concave parts of the profile"), text=tr("none"))
     if told.follower.kind == "flat" and table.face_margin:
         said = tr("length by which the face is longer than the contact needs, on both sides")
-        yield Datum(said, ("Delta",), (1e3 * table.face_margin,), "mm")
+        yield Datum(said, ("Delta_b",), (1e3 * table.face_margin,), "mm")
     if table.tool_radius is not None:
         yield Datum(tr("radius of the tool whose path is asked for"), (), (1e3 * table.tool_radius,), "mm")
 

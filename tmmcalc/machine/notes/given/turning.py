@@ -89,8 +89,8 @@ def _engine(engine: EngineTask) -> Iterator[Datum]:
 def _crank_gear(cylinders: Sequence[Cylinder]) -> Iterator[Datum]:
     """Sizes and masses of the crank gear of each cylinder."""
     radii, rods = [each.crank_radius for each in cylinders], [each.rod_length for each in cylinders]
-    yield Datum(tr("radius of the crank"), ("r",), _once(radii), "m")
-    yield Datum(tr("length of the connecting rod"), ("l",), _once(rods), "m")
+    yield Datum(tr("radius of the crank"), ("r_j",), _once(radii), "m")
+    yield Datum(tr("length of the connecting rod"), ("l_j",), _once(rods), "m")
     reciprocating = [each.reciprocating_mass for each in cylinders]
     yield Datum(tr("reciprocating mass of a cylinder"), ("m_r",), _once(reciprocating), "kg")
     yield Datum(tr("rotating mass at the crank pin"), ("m_t",), _once([each.rotating_mass for each in cylinders]), "kg")
