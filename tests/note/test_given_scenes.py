@@ -203,3 +203,10 @@ def test_equal_steps_are_counted_in_words_that_fit_every_number() -> None:
         said = [each.text for each in data(done) if "від нуля" in each.text]
     assert said
     assert all(each.startswith("кількість рівних кроків періоду: ") for each in said)
+
+
+def test_the_table_of_a_chapter_has_written_numbers_whole() -> None:
+    done = solved(HEAD + test_vibration.KINDS["stiffnesses"], ("vibrator.ring.mass=1.234567",))
+    chapters = chapters_of({"vibration": "Vibration"}, done.spec, done.results, NONE)
+    rows = [row for chapter in chapters for block in chapter.blocks if isinstance(block, Table) for row in block.rows]
+    assert next(row[-1] for row in rows if row[0] == "Mass of the ring") == "1.234567"

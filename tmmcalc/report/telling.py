@@ -274,13 +274,14 @@ def in_rows(*lists: Datum) -> Iterator[Datum]:
 def data_table(caption: str, data: Iterable[Block], key: str = "", digits: int = DIGITS) -> Table:
     """The data among these blocks as a table: what each is, its symbols, unit, and values or words.
 
-    It has no column of units where none has one.
+    It has no column of units where none has one. Numbers that were written stand whole, others with ``digits``.
     """
     rows = []
     for each in data:
         if isinstance(each, Datum):
             unit, factor = printed_as(each.unit)
-            values = "; ".join(cell(factor * value, digits) for value in each.values)
+            scaled = [factor * value for value in each.values]
+            values = "; ".join(cell(value, max(digits, digits_given(*scaled))) for value in scaled)
             shown = "°" if unit == "deg" else tr_unit(unit)
             rows.append((each.what, ", ".join(f"${name}$" for name in each.keys), shown, each.text or values))
     head = tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value")
