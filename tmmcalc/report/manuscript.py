@@ -101,7 +101,10 @@ class Result(NamedTuple):
 
 
 class Datum(NamedTuple):
-    """What is given: its names in formulas with their values, or a text. It stands in the table of the task."""
+    """What is given: its names in formulas with their values, or a text.
+
+    It stands in the table of the task at the beginning of the note, or in that of its chapter, and on students' sheets.
+    """
 
     what: str
     keys: tuple[str, ...] = ()

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.shapes import Drawing
-from tmmcalc.report.formula.digits import PLAIN, Given, result_of, rounded, significant, value_of
+from tmmcalc.report.formula.digits import PLAIN, Given, digits_given, result_of, rounded, significant, value_of
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.simplify import ZERO, simplified
 from tmmcalc.report.formula.symbols import GREEK, NAME, canonical
@@ -30,6 +30,7 @@ from tmmcalc.report.printing import printed_as
 from tmmcalc.report.sheets.piece import Piece
 
 Step = TypeVar("Step")
+Of = Callable[[str], str]  # words what a quantity is, with what it is of where several have it
 STILL = 1e-12  # a value this small in every shown place is nothing
 CELL = 12  # values of a list that stand in one cell
 DIGITS = 5  # of the largest number of a column, of a number within a sentence
@@ -192,6 +193,15 @@ def plainly(value: float, digits: int = DIGITS) -> str:
     return spelt(f"{value:.{digits}g}")
 
 
+def as_given(value: float) -> str:
+    """A number of a sentence that is given: as it was written, if ten digits tell it.
+
+    >>> as_given(123.4567), as_given(-2 / 3)
+    ('123.4567', '−0.66667')
+    """
+    return plainly(value, digits_given(value))
+
+
 def cell(value: float, digits: int = DIGITS) -> str:
     """A number by itself in a cell or a sentence, with a power of ten as a formula.
 
@@ -219,15 +229,39 @@ def quantities(caption: str, known: Mapping[str, Given], key: str = "", digits: 
     return data_table(caption, data_of(known), key, digits)
 
 
-def data_of(known: Mapping[str, Given], what: str = "") -> Iterator[Datum]:
-    """Quantities as what is given; ``what`` stands before what each is."""
-    for name, given in known.items():
+def owned(name: str) -> Of:
+    """Quantities of one among several: its name stands before what each is."""
+    return lambda what: f"{name}: {what}"
+
+
+def data_of(known: Mapping[str, Given], names: Iterable[str] | None = None, of: Of = str) -> Iterator[Datum]:
+    """Quantities as what is given, angles in degrees: all, or of the ``names`` those that are there and are something.
+
+    A shift that is nothing is something too.
+    """
+    for name in known if names is None else names:
+        given = known.get(name) or known.get(canonical(name))
+        if given is None or (names is not None and not given.value and name[0] != "x"):
+            continue
         assert isinstance(given.value, float)
-        yield Datum(f"{what}: {given.meaning}" if what else given.meaning, (name,), (given.value,), given.unit)
+        turned = given.unit == "rad"
+        value, unit = (math.degrees(given.value), "deg") if turned else (given.value, given.unit)
+        yield Datum(of(given.meaning), (name,), (value,), unit)
+
+
+def between(interpolation: str) -> str:
+    """How values go from point to point."""
+    return {
+        "linear": tr("straight lines"),
+        "pchip": tr("smooth monotone curve"),
+        "spline": tr("cubic spline"),
+    }[interpolation]
 
 
 def in_rows(*lists: Datum) -> Iterator[Datum]:
-    """Lists of equal length under each other, long ones part by part."""
+    """Lists of equal length under each other, long ones part by part; a text in place of a list stands before them."""
+    yield from (each for each in lists if each.text)
+    lists = tuple(each for each in lists if not each.text)
     count = len(lists[0].values)
     parts = -(-count // CELL)
     ends = [count * part // parts for part in range(parts + 1)]
@@ -240,13 +274,14 @@ def in_rows(*lists: Datum) -> Iterator[Datum]:
 def data_table(caption: str, data: Iterable[Block], key: str = "", digits: int = DIGITS) -> Table:
     """The data among these blocks as a table: what each is, its symbols, unit, and values or words.
 
-    It has no column of units where none has one.
+    It has no column of units where none has one. Numbers that were written stand whole, others with ``digits``.
     """
     rows = []
     for each in data:
         if isinstance(each, Datum):
             unit, factor = printed_as(each.unit)
-            values = "; ".join(cell(factor * value, digits) for value in each.values)
+            scaled = [factor * value for value in each.values]
+            values = "; ".join(cell(value, max(digits, digits_given(*scaled))) for value in scaled)
             shown = "°" if unit == "deg" else tr_unit(unit)
             rows.append((each.what, ", ".join(f"${name}$" for name in each.keys), shown, each.text or values))
     head = tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value")

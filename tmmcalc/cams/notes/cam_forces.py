@@ -19,7 +19,24 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph
 from tmmcalc.report.telling import WIDE
 
-GIVEN = ("m_T", "J_T", "Q_y", "Q_c", "M_Qy", "M_Qc", "g", "f_T", "f_A", "r_A", "K_1", "f_1", "F_min", "c", "Q_0", "M_0")
+GIVEN = (
+    "m_T",
+    "J_T",
+    "Q_y",
+    "Q_c",
+    "M_Qy",
+    "M_Qc",
+    "g_s",
+    "f_T",
+    "f_A",
+    "r_A",
+    "K_1",
+    "f_1",
+    "F_min",
+    "c",
+    "Q_0",
+    "M_0",
+)
 SPRING, COURSE = (WIDE, 80.0), (WIDE, 130.0)  # sizes of the pictures [mm]
 NAMES = (5.0, 4.0, 2.0, 0.0)  # room that names of axes take around a diagram [mm]
 
@@ -68,7 +85,7 @@ def given_loads(of: Loaded) -> Lexicon:
             loads.force.back, unit, tr("technological load on the return and in the near dwell")
         )
     if not of.turns:
-        found["g"] = Given(loads.gravity, "m/s^2", tr("gravity along the lift"))
+        found["g_s"] = Given(loads.gravity, "m/s^2", tr("gravity along the lift"))
     if asked.method == "given":
         found |= {name: scene[name] for name in ("c", "<Q>_0")}
     elif asked.method == "safety":

@@ -16,8 +16,8 @@ from tmmcalc.report.telling import lines
 LEAST, NEEDED = "F_{min} = DeltaS + S''", "S_{0min} = r_m - F_{min}"
 KEPT = 1e-9  # relative: a limit that is just reached is kept
 REACH = {
-    1: ("b_l = S'_{max} + Delta", "b_r = -S'_{min} + Delta"),
-    -1: ("b_l = -S'_{min} + Delta", "b_r = S'_{max} + Delta"),
+    1: ("b_l = S'_{max} + Delta_b", "b_r = -S'_{min} + Delta_b"),
+    -1: ("b_l = -S'_{min} + Delta_b", "b_r = S'_{max} + Delta_b"),
 }
 
 
@@ -73,5 +73,5 @@ def _quantities(told: Told, found: Convexity) -> Lexicon:
         "S'_{min}": mm(min(extremes.get((1, False), 0.0), 0.0), tr("least analogue of velocity")),
         "b_l": mm(found.left, tr("reach of the face to the left of its axis")),
         "b_r": mm(found.right, tr("reach of the face to the right of its axis")),
-        "Delta": mm(found.margin, tr("margin of the face")),
+        "Delta_b": mm(found.margin, tr("margin of the face")),
     }

@@ -21,9 +21,10 @@ from tmmcalc.cams.tables.tasks.indexing import to_indexing
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.formula.digits import digits_given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph
-from tmmcalc.report.telling import WIDE, numeral, plainly
+from tmmcalc.report.telling import WIDE, as_given, numeral
 
 GIVEN = ("z_2", "phi_p", "phi_d1", "l_k", "theta_d", "f_1", "f_2", "r_c")
 ENDS = re.compile(r"constant ends of (\S+) %")
@@ -79,7 +80,7 @@ def _law(found: Indexing) -> Iterator[Block]:
 
 def law_name(found: Indexing) -> str:
     """The law of the step; of one that is known by its B alone that."""
-    return _law_name(found.law) if found.cam is not None else f"$B = {numeral(found.peak)}$"
+    return _law_name(found.law) if found.cam is not None else f"$B = {numeral(found.peak, digits_given(found.peak))}$"
 
 
 def _law_name(name: str) -> str:
@@ -87,7 +88,7 @@ def _law_name(name: str) -> str:
     ends = CODE.fullmatch(name) or ENDS.fullmatch(name)
     if ends is None:
         return named_title(name)
-    return tr("acceleration that is constant over {part} % of the step at each end", part=plainly(float(ends[1])))
+    return tr("acceleration that is constant over {part} % of the step at each end", part=as_given(float(ends[1])))
 
 
 def _pictures(of: Stepping) -> Iterator[Block]:

@@ -19,7 +19,18 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import FormulaError, read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Datum, Display, Heading, Lexicon, Paragraph, Place, Result, Table, Verbatim
-from tmmcalc.report.telling import column, column_of, data_of, drawn, lines, named, numeral, plainly, tabulated
+from tmmcalc.report.telling import (
+    as_given,
+    column,
+    column_of,
+    data_of,
+    drawn,
+    lines,
+    named,
+    numeral,
+    plainly,
+    tabulated,
+)
 
 MM, MEGA = 1e3, 1e6  # formulas hold in N, mm, MPa
 MODULUS = "E^{*} = 1/((1 - nu_1**2)/E_1 + (1 - nu_2**2)/E_2)"
@@ -86,7 +97,7 @@ def data(order: Order) -> Iterator[Block]:
             tr("places of the given gap along $x$; between them runs a bicubic spline"), ("x",), _mm(task.table.x), "mm"
         )
         for y, row in zip(_mm(task.table.y), task.table.h, strict=True):
-            yield Datum(tr("gap at these places and at $y$ = {y} mm", y=f"${numeral(y)}$"), ("h",), _mm(row), "mm")
+            yield Datum(tr("gap at these places and at $y$ = {y} mm", y=as_given(y)), ("h",), _mm(row), "mm")
 
 
 def _mm(values: Sequence[float]) -> tuple[float, ...]:

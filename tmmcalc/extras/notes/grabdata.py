@@ -21,7 +21,7 @@ from tmmcalc.extras.transloader import (
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Block, Datum, Lexicon, Paragraph
-from tmmcalc.report.telling import data_of
+from tmmcalc.report.telling import data_of, owned
 
 KILO, MEGA = 1e3, 1e6
 LETTERS = {  # of the loads
@@ -84,11 +84,11 @@ def wind_data(wind: Wind) -> Lexicon:
     """A wind by its letters."""
     return {
         "q_0": Given(wind.pressure, "Pa", tr("pressure of the wind")),
-        "n": Given(wind.height, "", tr("coefficient of the height")),
-        "c": Given(wind.shape, "", tr("coefficient of the shape")),
+        "n_w": Given(wind.height, "", tr("coefficient of the height")),
+        "c_w": Given(wind.shape, "", tr("coefficient of the shape")),
         "gamma": Given(wind.overload, "", tr("coefficient of overload")),
         "beta": Given(wind.dynamic, "", tr("coefficient of the gusts")),
-        "A": Given(wind.area, "m^2", tr("area that the wind acts on")),
+        "A_w": Given(wind.area, "m^2", tr("area that the wind acts on")),
     }
 
 
@@ -116,7 +116,7 @@ def whole(task: TransloaderTask) -> Iterator[Block]:
         yield from _start(task.inertia)
     for name, wind in task.winds:
         if name not in known:
-            yield from data_of(wind_data(wind), meaning_of(name))
+            yield from data_of(wind_data(wind), of=owned(meaning_of(name)))
     for name, value in known.items():
         yield Datum(meaning_of(name), (LETTERS[name],), (value / KILO,), "kN")
     yield from _stressed(task)
@@ -124,7 +124,7 @@ def whole(task: TransloaderTask) -> Iterator[Block]:
 
 def _way(caption: str, speed: str, index: str, way: Way, known: Lexicon) -> Iterator[Datum]:
     """A way, and by what its speed is where none is given."""
-    yield from data_of(known, caption)
+    yield from data_of(known, of=owned(caption))
     if way.speed is None:
         yield Datum(f"{caption}: {speed}", (f"v_{index}",), text=f"${usual_speed(index)}$ {tr_unit('m/s')}")
 

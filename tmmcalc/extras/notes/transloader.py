@@ -36,7 +36,7 @@ TIMES = {  # whether the speed is reached
     False: "t_<i> = <L>/v_{p<i>} + v_{p<i>}/j_<i>",
 }
 SHORTEST = "t_{p<i>} = 2*sqrt(<L>/j_<i>)"
-WIND = "W_i = q_0*n*c*gamma*beta*A/1000"
+WIND = "W_i = q_0*n_w*c_w*gamma*beta*A_w/1000"
 INERTIA = {True: "P = sum(G_k, k)*v/(g*t)", False: "P = sum(G_k, k)*j_1/g"}
 SPEEDS = 55.0  # height of the diagram of a way [mm]
 
@@ -221,7 +221,7 @@ def _loads(result: Transloader, task: TransloaderTask, lexicon: Lexicon) -> Iter
         yield from _inertia(task, result.drives, lexicon)
     winds = [(name, wind) for name, wind in task.winds if name not in known]
     if winds:
-        yield Paragraph(tr("Forces of the winds on the area $A$:"))
+        yield Paragraph(tr("Forces of the winds on the area $A_w$:"))
         yield from lines([WIND], [_of_wind(name, wind, lexicon) for name, wind in winds])
     if known:
         yield Paragraph(tr("The other loads are given."))

@@ -72,7 +72,7 @@ def _rim(task: FlywheelTask, own: float, fast: float) -> tuple[Rim | None, tuple
     """The rim that the task's sizes leave; what cannot be made is told, and no reason to stop."""
     if own <= 0:
         return None, ()
-    material = _material(task)
+    material = rim_material(task)
     edge = largest_diameter(fast, material)
     if task.diameter is task.width is task.thickness is None and edge < SMALLEST:
         text = Phrase(
@@ -130,7 +130,8 @@ def _sized(task: FlywheelTask, own: float, fast: float, material: Material) -> R
     return rim_of_proportions(own, fast, material)
 
 
-def _material(task: FlywheelTask) -> Material:
+def rim_material(task: FlywheelTask) -> Material:
+    """The material of the rim, with what of its own data the task gives."""
     material = MATERIALS[task.material]
     return replace(
         material,

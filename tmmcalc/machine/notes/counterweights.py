@@ -61,7 +61,7 @@ def _means(result: Balancing, link: int) -> Lexicon:
         size = tr("size of the harmonic of the shaking force of order {order}", order=signed(k))
         quantities[f"C_{{{k}}}"] = Given(abs(found.series.coefficient(k)), "N", size)
     if result.radius is not None:
-        quantities["r_k"] = Given(result.radius, "m", tr("radius of the weights"))
+        quantities["r_U"] = Given(result.radius, "m", tr("radius of the weights"))
     if result.mass is not None:
         quantities["m_w"] = Given(result.mass, "kg", tr("mass of each weight"))
     return named(quantities)
@@ -163,7 +163,7 @@ def _weight_lines(
     if result.shaking.acceleration:
         turn = f" + atan2({'-' if k < 0 else ''}{eps}, {abs(k)}*{rate}**2)"
         square = f"sqrt({square}**2 + ({abs(k)}*{eps})**2)"
-    made_of = f"m_{{w,{index}}} = U_{{{index}}}/r_k"
+    made_of = f"m_{{w,{index}}} = U_{{{index}}}/r_U"
     if result.radius is None:
         made_of = f"r_{{w,{index}}} = U_{{{index}}}/m_w"
     yield from lines([f"U_{{{index}}} = {size}/{square}"], [place])

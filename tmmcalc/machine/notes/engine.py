@@ -57,8 +57,8 @@ def _cylinders_table(cylinders: Sequence[Cylinder]) -> Block:
         "$z_j$, m": [each.position_along_shaft for each in cylinders],
         "$gamma_j$, deg": [math.degrees(each.axis_angle) for each in cylinders],
         "$psi_j$, deg": [within_turn(each.crank_angle) for each in cylinders],
-        "$r$, m": [each.crank_radius for each in cylinders],
-        "$l$, m": [each.rod_length for each in cylinders],
+        "$r_j$, m": [each.crank_radius for each in cylinders],
+        "$l_j$, m": [each.rod_length for each in cylinders],
         "$m_r$, kg": [each.reciprocating_mass for each in cylinders],
         "$m_t$, kg": [each.rotating_mass for each in cylinders],
     }
@@ -111,8 +111,8 @@ def _quantities(cylinders: Sequence[Cylinder], balance: EngineBalance) -> Lexico
             "psi_j": Given([within_turn(each.crank_angle) for each in cylinders], "deg", tr("angle of the crank")),
             "z_j": Given([each.position_along_shaft for each in cylinders], "m", tr("place of the cylinder")),
             "z_0": Given(balance.reference, "m", tr("middle of the engine")),
-            "n_c": Given(float(len(cylinders)), "", tr("number of cylinders")),
-            "n": Given(balance.speed * RPM, "rpm", tr("speed of the shaft")),
+            "i_c": Given(float(len(cylinders)), "", tr("number of cylinders")),
+            "n_e": Given(balance.speed * RPM, "rpm", tr("speed of the shaft")),
             "omega": Given(balance.speed, "rad/s", tr("angular velocity of the shaft")),
         }
     )
@@ -132,7 +132,7 @@ def _sums(cylinders: Sequence[Cylinder], balance: EngineBalance, lexicon: Lexico
         )
         angle = "psi_j" if k == 1 else f"{k}*psi_j"
         size = f"sqrt(sum(cos({angle}), j)**2 + sum(sin({angle}), j)**2)"
-        yield from lines([f"F_{k} = F_{k}^s/n_c*{size}"], [Place("", lexicon)])
+        yield from lines([f"F_{k} = F_{k}^s/i_c*{size}"], [Place("", lexicon)])
 
 
 def _shafts(result: Engine, lexicon: Lexicon) -> Iterator[Block]:
@@ -150,7 +150,7 @@ def _shafts(result: Engine, lexicon: Lexicon) -> Iterator[Block]:
             "with projections where the angle of the crankshaft is zero:"
         )
     )
-    yield from lines(["omega = pi*n/30"], [Place("", lexicon)])
+    yield from lines(["omega = pi*n_e/30"], [Place("", lexicon)])
     for shaft in made:
         yield from _shaft_lines(balance, shaft, lexicon)
     rows = (

@@ -14,7 +14,7 @@ from tmmcalc.machine.motors.braking import Braking, braking, critical_speed, ind
 from tmmcalc.machine.motors.characteristics import Characteristic, Straight
 from tmmcalc.machine.motors.direct_current import Series
 from tmmcalc.machine.motors.gearing import Reduced
-from tmmcalc.machine.motors.model import CharacteristicKind, Motor, characteristic
+from tmmcalc.machine.motors.model import RPM, CharacteristicKind, Motor, characteristic
 from tmmcalc.machine.pictures.characteristic import draw_motor, motor_curves
 from tmmcalc.machine.power import Power
 from tmmcalc.machine.tables.tasks.machine import to_motion, to_motor
@@ -22,8 +22,8 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place
-from tmmcalc.report.telling import drawn, lines, named, tabulated
+from tmmcalc.report.manuscript import Block, Datum, Display, Heading, Lexicon, Paragraph, Place
+from tmmcalc.report.telling import between, drawn, in_rows, lines, named, tabulated
 
 NEAR, WHOLE = 62.0, 58.0  # heights of the diagrams of the working part and of the whole characteristic [mm]
 NAMELESS = "motor"  # what a motor without a name is called
@@ -49,12 +49,12 @@ LAWS = {
         ("M_d = 2*M_K*s*s_K/(s**2 + s_K**2)", "s = 1 - omega/omega_c"),
     ),
     "shunt": (
-        (*RATED, "omega_c = U/(k*u)", "b_M = k**2*u**2<eta>/R"),
+        (*RATED, "omega_c = U/(k_M*u)", "b_M = k_M**2*u**2<eta>/R_M"),
         ("M_d = b_M*(omega_c - omega)",),
     ),
     "shunt by speeds": ((*INDUCTION, "b_M = M_N/(omega_c - omega_N)"), ("M_d = b_M*(omega_c - omega)",)),
     "series": (
-        (*RATED, "r = (1 - sqrt(1 - 4*R*P_N/U**2))/2", "beta = c_s/(1 - c_s)", "kappa = (1 - r)*(1 + beta)/omega_N"),
+        (*RATED, "r = (1 - sqrt(1 - 4*R_M*P_N/U**2))/2", "beta = c_s/(1 - c_s)", "kappa = (1 - r)*(1 + beta)/omega_N"),
         ("r*j*(1 + beta*j) + kappa*omega*j = 1 + beta*j", "M_d = M_N*(1 + beta)*j**2/(1 + beta*j)"),
     ),
     "series by efficiency": (
@@ -180,12 +180,24 @@ def plate(motor: Motor, ratio: float | None = None) -> Lexicon:
         "u": (ratio, "", tr("speed ratio of the motor and the input shaft")),
         "lambda_M": (motor.overload, "", tr("overload factor of the motor")),
         "U": (motor.voltage, "V", tr("voltage of the motor")),
-        "R": (motor.resistance, "Ohm", tr("resistance of the armature circuit")),
-        "k": (motor.constant, "V*s/rad", tr("constant of the motor")),
+        "R_M": (motor.resistance, "Ohm", tr("resistance of the armature circuit")),
+        "k_M": (motor.constant, "V*s/rad", tr("constant of the motor")),
         "c_s": (motor.saturation, "", tr("part of the flux that saturation takes at the rated current")),
         "eta_M": (motor.efficiency, "", tr("efficiency of the motor")),
     }
     return {key: Given(value, *told) for key, (value, *told) in known.items() if value is not None}
+
+
+def points_of(motor: Motor) -> Iterator[Datum]:
+    """What is given of a characteristic by points, on the shaft of the motor."""
+    if motor.points:
+        speeds, moments = zip(*motor.points, strict=True)
+        rpm = tuple(speed * RPM for speed in speeds)
+        yield from in_rows(
+            Datum(tr("speeds of the motor at the points of its characteristic"), (), rpm, "rpm"),
+            Datum(tr("moments of the motor at these points"), (), moments, "N*m"),
+        )
+        yield Datum(tr("characteristic between its points"), text=between(motor.interpolation))
 
 
 def called(kind: CharacteristicKind) -> str:
@@ -270,7 +282,7 @@ def of_braking(motor: Motor, how: Braking) -> Iterator[Block]:
     curve = braking(motor, how)
     lexicon = {
         "U": Given(motor.voltage or 0.0, "V", tr("voltage of the motor")),
-        "R": Given(motor.resistance or 0.0, "Ohm", tr("resistance of the armature circuit")),
+        "R_M": Given(motor.resistance or 0.0, "Ohm", tr("resistance of the armature circuit")),
         "R_a": Given(how.resistance, "Ohm", tr("resistance added to the armature circuit")),
     }
     if isinstance(curve, Straight):
@@ -293,7 +305,7 @@ def of_braking(motor: Motor, how: Braking) -> Iterator[Block]:
         "r_a": Given(curve.drop, "", tr("the same with the added resistance")),
         "omega_e": Given(least, "rad/s", tr("angular velocity of the motor above which it excites itself")),
     }
-    texts = ("r_a = r*(1 + R_a/R)", *(() if plugged else ("omega_e = r_a/kappa",)))
+    texts = ("r_a = r*(1 + R_a/R_M)", *(() if plugged else ("omega_e = r_a/kappa",)))
     yield from lines(texts, [Place("", named(lexicon))])
     given = "1 + beta*j" if plugged else "0"
     yield Display(read(f"r_a*j*(1 + beta*j) - kappa*omega*j = {given}"))
@@ -308,15 +320,15 @@ def _straight(motor: Motor, how: Braking, curve: Straight, lexicon: Lexicon) -> 
         "plugging": tr("The armature is turned round, $V = -U$."),
     }[how.kind])  # fmt: skip
     constant, resistance = independent(motor, how)
-    texts = ["omega_V = V/k", "b_V = k**2/(R + R_a)"]
+    texts = ["omega_V = V/k_M", "b_V = k_M**2/(R_M + R_a)"]
     if motor.kind == "series":
         yield from _field_apart(motor, how, lexicon)
-        texts.insert(0, "k = U*kappa*j_f/(1 + beta*j_f)")
+        texts.insert(0, "k_M = U*kappa*j_f/(1 + beta*j_f)")
     own = motor.voltage or 0.0
     voltage = {"regenerative": how.voltage or own, "dynamic": 0.0, "plugging": -own}
     lexicon |= {
-        "k": Given(constant, "V*s/rad", tr("constant of the motor")),
-        "R": Given(resistance, "Ohm", tr("resistance of the armature circuit")),
+        "k_M": Given(constant, "V*s/rad", tr("constant of the motor")),
+        "R_M": Given(resistance, "Ohm", tr("resistance of the armature circuit")),
         "V": Given(voltage[how.kind], "V", tr("voltage that the armature is connected to")),
         "omega_V": Given(curve.synchronous, "rad/s", tr("angular velocity of the motor at which its moment is zero")),
         "b_V": Given(curve.stiffness, "N*m*s/rad", tr("stiffness of the characteristic")),

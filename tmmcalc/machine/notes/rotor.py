@@ -34,7 +34,7 @@ RESULTANT = (
     "K = sqrt(K_x**2 + K_y**2)",
 )
 LOADS = (
-    "omega = pi*n/30",
+    "omega = pi*n_R/30",
     "A_x = omega**2*sum((z_B - z_i)*m_i*r_i*cos(alpha_i), i)/(z_B - z_A)",
     "A_y = omega**2*sum((z_B - z_i)*m_i*r_i*sin(alpha_i), i)/(z_B - z_A)",
     "A = sqrt(A_x**2 + A_y**2)",
@@ -58,6 +58,8 @@ def rotor_blocks(order: Order, result: BalancedRotor) -> Iterator[Block]:
     place = Place("", named(_quantities(task, result)))
     yield Heading(tr("Unbalance of the rotor"))
     yield Paragraph(tr("The unbalanced masses are in table {tab:rotor_masses}, in axes that turn with the rotor."))
+    if any(each.moment is not None for each in order.spec.rotor.unbalances):
+        yield Paragraph(tr("An unbalance that is given by its static moment is the mass that has it at 1 m."))
     yield _masses_table(task.rotor)
     yield Paragraph(tr("The resultant static moment, the shift of the centre of mass and the couple about it:"))
     yield from lines(RESULTANT, [place])
@@ -87,7 +89,7 @@ def _quantities(task: RotorTask, result: BalancedRotor) -> Lexicon:
         "alpha_i": Given([math.degrees(each.angle) for each in parts], "deg", tr("its angle")),
         "z_i": Given([each.position for each in parts], "m", tr("its place along the axis")),
         "m": Given(rotor.mass, "kg", tr("mass of the rotor")),
-        "n": Given(rotor.speed * RPM, "rpm", tr("highest service speed")),
+        "n_R": Given(rotor.speed * RPM, "rpm", tr("highest service speed")),
         "omega": Given(rotor.speed, "rad/s", tr("angular velocity of the rotor")),
         "z_S": Given(rotor.center, "m", tr("place of the centre of mass along the axis")),
         "z_A": Given(rotor.bearings[0], "m", bearing),

@@ -22,6 +22,7 @@ from tmmcalc.manipulators.task import (
 )
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Datum, Paragraph
+from tmmcalc.report.telling import in_rows
 
 
 def scene(task: ManipulatorTask) -> Iterator[Paragraph]:
@@ -205,10 +206,11 @@ def _of_table(arm: Arm, asked: TableTask) -> Iterator[Block]:
             "the rows velocity and acceleration are continuous, at both ends the joint is at rest."
         )
     )
-    yield Datum(tr("Times of the table"), ("t_k",), tuple(asked.t.tolist()), "s")
+    lists = [Datum(tr("Times of the table"), ("t_k",), tuple(asked.t.tolist()), "s")]
     for joint, values in zip(arm.joints, asked.q, strict=True):
         said = tr("{what}, at these times", what=_capital(joint_words(arm, joint)[0]))
-        yield _coordinates(said, joint, *values.tolist())
+        lists.append(_coordinates(said, joint, *values.tolist()))
+    yield from in_rows(*lists)
 
 
 def _of_limit(arm: Arm, limit: JointLimit) -> Datum:

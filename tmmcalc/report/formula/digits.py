@@ -15,6 +15,7 @@ from tmmcalc.report.formula.tree import Name, Node, Value, largest_term, names, 
 
 RESULT = 5  # digits of a result
 FEWEST, MOST = 5, 13  # digits of operands that are tried
+WHOLE = 10  # digits up to which a number that is given by them is told whole
 EXACT = 1e-9  # of the largest term: what a line may differ from the program's result
 PLAIN = (-4, 6)  # exponents of numbers that are written without a power of ten
 
@@ -25,6 +26,20 @@ class Given(NamedTuple):
     value: Value
     unit: str = ""
     meaning: str = ""
+
+
+def is_whole(value: float) -> bool:
+    """Whether ten digits tell a number whole, as one that was written and no result."""
+    return math.isclose(value, float(f"{value:.{WHOLE}g}"), rel_tol=1e-12)
+
+
+def digits_given(*values: float) -> int:
+    """How many digits numbers that are given have: as they were written, or, found of what was, those of a result.
+
+    >>> digits_given(3.03125), digits_given(2 / 3)
+    (10, 5)
+    """
+    return WHOLE if all(map(is_whole, values)) else RESULT
 
 
 @record

@@ -5,16 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tmmcalc.machine.notes.motors import called, plate
+from tmmcalc.machine.notes.motors import called, plate, points_of
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Datum, Paragraph
 from tmmcalc.report.telling import data_of
 from tmmcalc.vibration.vibrator.task import Drive, RunUp, VibratorTask
 
 
-def coordinates() -> Paragraph:
-    """The bodies of the device, and its seven coordinates."""
-    return Paragraph(
+def whole(task: VibratorTask) -> Iterator[Block]:
+    """All that is given: the bodies with their coordinates, the axes, then the numbers."""
+    yield Paragraph(
         tr(
             "The device has a ring on four rods, a gripper with the part that hangs in the ring on four crossed flat "
             "springs, and an exciter, whose motor with the unbalance sits on an elastic plate; the axis of the motor "
@@ -24,21 +24,16 @@ def coordinates() -> Paragraph:
             "hinge."
         )
     )
-
-
-def whole(task: VibratorTask) -> Iterator[Block]:
-    """All that is given, with the axes, the starts and the points."""
-    yield coordinates()
     yield Paragraph(
         tr(
             "The axes $x$, $y$ run along the flat springs, $z$ upwards. The hinge is a horizontal line across the "
             "bisector of $x$ and $y$, along which is the projection of the axis of the motor."
         )
     )
-    yield from rows(task)
+    yield from _bodies(task)
     if task.curve is not None:
         said = tr("Speeds between which the resonance curve is sought")
-        yield Datum(said, ("Omega",), (task.curve.low, task.curve.high), "rad/s")
+        yield Datum(said, ("Omega_{min}", "Omega_{max}"), (task.curve.low, task.curve.high), "rad/s")
     if task.run_up is not None:
         yield from _run_up(task.run_up)
     if task.drive is not None:
@@ -59,18 +54,16 @@ def _run_up(asked: RunUp) -> Iterator[Datum]:
 def _drive(asked: Drive) -> Iterator[Datum]:
     """The start by the motor, with what the plate of the motor says."""
     yield Datum(tr("Start by the motor: what drives the rotor"), text=called(asked.kind))
-    yield from data_of({name: each for name, each in plate(asked.motor).items() if each.value})
-    if asked.motor.points:
-        speeds, moments = zip(*asked.motor.points, strict=True)
-        yield Datum(tr("Speeds of the points of the characteristic"), ("omega_i",), speeds, "rad/s")
-        yield Datum(tr("Moments at these points"), ("M_i",), moments, "N*m")
+    known = plate(asked.motor)
+    yield from data_of(known, known)
+    yield from points_of(asked.motor)
     yield Datum(tr("Speed of the rotor at the beginning of this start"), ("omega_0",), (asked.initial,), "rad/s")
     yield Datum(tr("Drag of bearings and air over the speed"), ("d_r",), (asked.drag,), "N*m*s/rad")
     yield Datum(tr("Time of the start by the motor"), ("t_d",), (asked.duration,), "s")
 
 
-def rows(task: VibratorTask) -> Iterator[Datum]:
-    """The data as they stand in the table of the chapter."""
+def _bodies(task: VibratorTask) -> Iterator[Datum]:
+    """The bodies and what joins them, damping, the unbalance and its speed."""
     ring, gripper, exciter, rods = task.ring, task.gripper, task.exciter, task.rods
     inertia = "kg*m^2"
     yield Datum(tr("Mass of the ring"), ("m_1",), (ring.mass,), "kg")

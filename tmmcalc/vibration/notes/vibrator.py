@@ -13,7 +13,7 @@ from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place,
 from tmmcalc.report.telling import data_table, lines, named, pictured
 from tmmcalc.vibration.notes.device import device, matrices, modes
 from tmmcalc.vibration.notes.forced import forced
-from tmmcalc.vibration.notes.given import coordinates, rows, whole
+from tmmcalc.vibration.notes.given import whole
 from tmmcalc.vibration.notes.starts import driven, given_angle
 from tmmcalc.vibration.pictures.vibrator import pieces_of
 from tmmcalc.vibration.tables.tasks.vibration import to_vibrator
@@ -81,9 +81,10 @@ def data(order: Order) -> Iterator[Block]:
 
 def _given(task: VibratorTask) -> Iterator[Block]:
     """The coordinates, and what is given as a table."""
-    table = tr("The given data are in table {table}.", table="{tab:vibrator_data}")
-    yield Paragraph(f"{coordinates().text} {table}")
-    yield data_table(tr("Given data of the vibratory device"), rows(task), "vibrator_data")
+    told = list(whole(task))
+    yield from (block for block in told if isinstance(block, Paragraph))
+    yield Paragraph(tr("The given data are in table {table}.", table="{tab:vibrator_data}"))
+    yield data_table(tr("Given data of the vibratory device"), told, "vibrator_data")
 
 
 def _number(value: float) -> str:

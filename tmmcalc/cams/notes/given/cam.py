@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import degrees, isclose, pi
+from math import degrees, pi
 from typing import Any
 
 import numpy as np
@@ -14,16 +14,16 @@ from tmmcalc.cams.notes.cam_law import described, laws_described
 from tmmcalc.cams.notes.cam_profile import axes_of
 from tmmcalc.cams.notes.cam_synthesis import SIZES, of_limits
 from tmmcalc.cams.notes.given.laws import of_laws
-from tmmcalc.cams.notes.given.loads import of_loads, of_needed
-from tmmcalc.cams.notes.given.tabled import data, written
+from tmmcalc.cams.notes.given.loads import of_loads, of_needed, written
 from tmmcalc.cams.notes.laws import named_title
 from tmmcalc.cams.notes.lexicon import Told, of_follower, of_task, told_of
 from tmmcalc.cams.tables.cam import CamTable
 from tmmcalc.cams.task import Optimum
 from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.formula.digits import is_whole
 from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Datum
-from tmmcalc.report.telling import plainly
+from tmmcalc.report.telling import as_given, data_of
 
 LIMITS = {  # keys of [cam.limits] by the names in formulas
     "pressure_angle": "theta_P",
@@ -46,9 +46,9 @@ def of_cam(order: Order) -> Iterator[Datum]:
     if "cam_profile" in order.results:
         yield Datum(tr("axes of the cam"), text=axes_of(told.follower))
     motion = told.named(of_task(told))
-    if table.speed is not None and _is_round(turns := table.speed * 30 / pi):  # as it was written, then
-        yield Datum(tr("rotational speed of the cam"), ("n_1",), (turns,), "rpm")
-    yield from data(motion, (name for name in motion if name != told.words["wn"] or table.speed is not None))
+    if table.speed is not None and is_whole(turns := table.speed * 30 / pi):  # as it was written, then
+        yield Datum(tr("rotational speed of the cam"), ("n_k",), (turns,), "rpm")
+    yield from data_of(motion, (name for name in motion if name != told.words["wn"] or table.speed is not None))
     yield from (Datum(what, text=text) for what, text in laws_described(told))
     yield from of_laws(table.rise_law or table.law, table.return_law or table.law)
     yield from _sizes(order, told)
@@ -60,7 +60,7 @@ def of_cam(order: Order) -> Iterator[Datum]:
     if "cam_optimum" in order.results and told.task.optimum is not None:
         yield from _search(told.task.optimum, told)
     if "cam_elastic" in order.results:
-        yield from data(train_scene(told, order.results["cam_elastic"]), TRAIN)
+        yield from data_of(train_scene(told, order.results["cam_elastic"]), TRAIN)
 
 
 def _shaft(order: Order, told: Told) -> Iterator[Datum]:
@@ -104,16 +104,16 @@ def _sizes(order: Order, told: Told) -> Iterator[Datum]:
     """The sizes that are given; the limits of those that are found, or that the spec writes."""
     table, result = order.spec.cam, order.results["cam_synthesis"]
     sizes = [SIZES[size.symbol] for size in result.sizes if size.given]
-    yield from data(of_follower(told.follower), sizes)
+    yield from data_of(of_follower(told.follower), sizes)
     sought = len(sizes) < len(result.sizes)
-    yield from data(of_limits(told), [*LIMITS.values()] if sought else written(table.limits, LIMITS))
+    yield from data_of(of_limits(told), [*LIMITS.values()] if sought else written(table.limits, LIMITS))
     if sought and told.follower.kind != "flat" and told.task.limits.back is None:
         yield Datum(tr("pressure angle on the return"), text=tr("not limited"))
     if not table.limits.allow_concave:
         yield Datum(tr("concave parts of the profile"), text=tr("none"))
     if told.follower.kind == "flat" and table.face_margin:
         said = tr("length by which the face is longer than the contact needs, on both sides")
-        yield Datum(said, ("Delta",), (1e3 * table.face_margin,), "mm")
+        yield Datum(said, ("Delta_b",), (1e3 * table.face_margin,), "mm")
     if table.tool_radius is not None:
         yield Datum(tr("radius of the tool whose path is asked for"), (), (1e3 * table.tool_radius,), "mm")
 
@@ -161,10 +161,5 @@ def _options(asked: Optimum) -> Iterator[Datum]:
 
 def _named(options: Sequence[Any], factor: float, unit: str) -> str:
     """Values, those with a name with it."""
-    said = ((tr_name(name), f"{plainly(factor * value)} {unit}".strip()) for name, value in options)
+    said = ((tr_name(name), f"{as_given(factor * value)} {unit}".strip()) for name, value in options)
     return "; ".join(f"{name}: {value}" if name else value for name, value in said)
-
-
-def _is_round(value: float) -> bool:
-    """Whether a few figures tell it whole."""
-    return isclose(value, float(f"{value:.5g}"), rel_tol=1e-12)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from tmmcalc.cams.tables.cam_law import LawTable
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Datum
+from tmmcalc.report.telling import between, in_rows, owned
 
 
 def of_laws(rise: str | LawTable, back: str | LawTable) -> Iterator[Datum]:
@@ -22,18 +23,18 @@ def of_law(law: str | LawTable, said: str) -> Iterator[Datum]:
     """A law by its table; one of the catalogue has no numbers. Only the shape counts, to any scale."""
     if isinstance(law, str):
         return
+    of = owned(said)
     if law.polynomial is not None:
         what = tr("coefficients of the powers 0, 1, 2 ... of the part of the phase, to any scale")
-        yield Datum(f"{said}: {what}", (), tuple(law.polynomial))
+        yield Datum(of(what), (), tuple(law.polynomial))
         return
     places, values = zip(*(law.points or law.acceleration or ()), strict=True)
     parts = tuple(place / places[-1] for place in places)
-    yield Datum(f"{said}: {tr('parts of the phase at which its points stand')}", (), parts)
+    curve = between("linear")
+    there = Datum(of(tr("accelerations there, to any scale")), (), values)
     if law.points is not None:
         strokes = tuple(value / values[-1] for value in values)
-        yield Datum(f"{said}: {tr('displacements there, in parts of the stroke')}", (), strokes)
-        smooth = tr("smooth curve, at rest and without acceleration at both ends")
-        yield Datum(f"{said}: {tr('between the points')}", text=smooth)
-    else:
-        yield Datum(f"{said}: {tr('accelerations there, to any scale')}", (), values)
-        yield Datum(f"{said}: {tr('between the points')}", text=tr("straight lines"))
+        there = Datum(of(tr("displacements there, in parts of the stroke")), (), strokes)
+        curve = tr("smooth curve, at rest and without acceleration at both ends")
+    yield from in_rows(Datum(of(tr("parts of the phase at which its points stand")), (), parts), there)
+    yield Datum(of(tr("between the points")), text=curve)

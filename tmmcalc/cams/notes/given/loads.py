@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from math import degrees
 
 from tmmcalc.cams.forces.spring import DEFLECTION
 from tmmcalc.cams.notes.cam_forces import GIVEN, given_loads
-from tmmcalc.cams.notes.given.tabled import data, written
 from tmmcalc.cams.notes.lexicon import angle, mm
 from tmmcalc.cams.notes.loaded.judged import of_needs
 from tmmcalc.cams.notes.loaded.quantities import Loaded, loaded_of, of_scene
@@ -17,6 +16,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Datum, Lexicon
+from tmmcalc.report.telling import data_of, in_rows
 
 MEGA = 1e-6
 NEEDS = {  # keys of [cam.requirements]
@@ -41,20 +41,26 @@ STEM = {"stem_radius": "r_T", "land": "l_H"}  # keys of [cam.guide]
 GUIDE = {"top": "H_2", "length": "l", "gap": "Delta_g"}
 
 
+def written(table: object, names: Mapping[str, str]) -> list[str]:
+    """The names of the keys that the spec has written into a table."""
+    said = getattr(table, "model_fields_set", ())
+    return [name for key, name in names.items() if key in said]
+
+
 def of_loads(order: Order) -> Iterator[Datum]:
     """Masses, forces and friction, the spring, the guide."""
     table, of = order.spec.cam, loaded_of(order)
     known = of.named(given_loads(of))
-    yield from data(known, GIVEN)
+    yield from data_of(known, GIVEN)
     force = of.loads.force
     if force.phi is not None and force.values is not None:
         said = tr("angles of the cam of the points of the technological load, from the beginning of the rise")
-        yield Datum(said, (), tuple(map(degrees, force.phi)), "deg")
+        places = Datum(said, (), tuple(map(degrees, force.phi)), "deg")
         unit = "N*m" if of.turns else "N"
         said = tr("technological load at these points, linear between")
-        yield Datum(said, (), tuple(map(float, force.values)), unit)
+        yield from in_rows(places, Datum(said, (), tuple(map(float, force.values)), unit))
     yield from _spring(of)
-    yield from data(of.named(of_scene(of)), written(table.guide, GUIDE))
+    yield from data_of(of.named(of_scene(of)), written(table.guide, GUIDE))
     if order.results["cam_forces"].guide is not None:
         yield from _guide(of)
 
@@ -85,7 +91,7 @@ def _spring(of: Loaded) -> Iterator[Datum]:
         known["n_d"] = Given(asked.dead, "", tr("number of coils at the ends that do not work"))
     if known.keys() & {"d", "tau_a"}:
         known["E_G"] = Given(MEGA * asked.shear, "MPa", tr("shear modulus of the wire"))
-    yield from data(known, known)
+    yield from data_of(known, known)
 
 
 def _guide(of: Loaded) -> Iterator[Datum]:
@@ -101,7 +107,7 @@ def of_needed(table: CamTable, task: CamTask) -> Iterator[Datum]:
     given = table.requirements
     if given is not None:
         names = {*written(given, NEEDS), *_usual(task.requirements)}
-        yield from data(of_needs(task), (name for name in NEEDS.values() if name in names))
+        yield from data_of(of_needs(task), (name for name in NEEDS.values() if name in names))
         if given.material is not None:
             words = [tr_name(given.material.treatment), given.material.hardness]
             if given.material.failure == "severe":
@@ -111,7 +117,7 @@ def of_needed(table: CamTable, task: CamTask) -> Iterator[Datum]:
             yield Datum(tr("radius of the pin"), ("r_0",), (1e3 * given.pin,), "mm")
         if given.roller_inertia is not None:
             yield Datum(tr("moment of inertia of the roller"), ("J_r",), (given.roller_inertia,), "kg*m^2")
-    yield from data(of_needs(task), written(table.guide, STEM))
+    yield from data_of(of_needs(task), written(table.guide, STEM))
 
 
 def _usual(needs: Requirements) -> Iterator[str]:

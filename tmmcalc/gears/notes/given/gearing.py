@@ -15,6 +15,7 @@ from tmmcalc.gears.pictures.memberscheme import draw_members
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Datum, Figure
+from tmmcalc.report.telling import data_of
 
 SCHEME = (110.0, 75.0)  # size of the scheme [mm]
 
@@ -60,9 +61,7 @@ def _members(moving: Moving) -> Iterator[Datum]:
         pair = "–".join(names)
         meshes.append(tr("{mesh} (internal)", mesh=pair) if mesh.sign == INTERNAL else pair)
     yield Datum(tr("wheels in mesh"), text=", ".join(meshes))
-    for name, given in teeth(numbers).items():
-        assert isinstance(given.value, float)
-        yield Datum(given.meaning, (name,), (given.value,))
+    yield from data_of(teeth(numbers))
     several = [body for body in network.bodies if body.count > 1]
     for body in network.bodies:
         if body.count > 1:

@@ -12,7 +12,6 @@ from tmmcalc.gears.notes.given.strength import of_material
 from tmmcalc.gears.notes.pair import given_quantities
 from tmmcalc.gears.notes.pairs.choice import chosen
 from tmmcalc.gears.notes.pairs.lexicon import told_of
-from tmmcalc.gears.notes.pairs.tables import something
 from tmmcalc.gears.notes.wheel import given_of_wheel
 from tmmcalc.gears.pictures.words import pair_name
 from tmmcalc.gears.single.results import SingleWheel
@@ -25,11 +24,11 @@ from tmmcalc.gears.tables.train import TrainTable
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Datum
+from tmmcalc.report.telling import Of, data_of, owned
 
-Of = Callable[[str], str]  # a quantity with the pair that it is of, where there are several
-OF_WHEELS: Mapping[str, Callable[[str], str]] = {  # what is given of a wheel, by its letter
-    "z": lambda wheel: tr("number of teeth of wheel {wheel}", wheel=wheel),
-    "x": lambda wheel: tr("shift coefficient of wheel {wheel}", wheel=wheel),
+OF_WHEELS: Mapping[str, Callable[[str], str]] = {  # what is given of a wheel, by its letter before the index
+    "z_": lambda wheel: tr("number of teeth of wheel {wheel}", wheel=wheel),
+    "x_": lambda wheel: tr("shift coefficient of wheel {wheel}", wheel=wheel),
     "r_a": lambda wheel: tr("tip radius of wheel {wheel}", wheel=wheel),
 }
 RACK = ("alpha", "h_a^{*}", "c^{*}")
@@ -57,8 +56,7 @@ def of_pairs(order: Order) -> Iterator[Datum]:
 def _named(task: PairTask, k: int) -> Of:
     """Quantities with the name of their pair."""
     plain = pair_name(task.name)
-    name = tr("pair {name}", name=plain if "–" in plain else f"“{plain}”" if plain else k + 1)
-    return lambda what: f"{name}: {what}"
+    return owned(tr("pair {name}", name=plain if "–" in plain else f"“{plain}”" if plain else k + 1))
 
 
 def _own(tables: Sequence[PairMeshTable], task: PairTask, k: int) -> Sequence[PairKeys]:
@@ -93,24 +91,17 @@ def _pair(found: MeshPair, of: Of) -> Iterator[Datum]:
 def _quantities(found: MeshPair, of: Of, without: tuple[str, ...] = ()) -> Iterator[Datum]:
     """The numbers that are given, each of its wheel."""
     task, lexicon = found.task, told_of(found).lexicon
-    said = {
-        f"{letter}_{k}": name(wheel) for letter, name in OF_WHEELS.items() for k, wheel in enumerate(task.wheels, 1)
-    }
+    said = {f"{letter}{k}": name(wheel) for letter, name in OF_WHEELS.items() for k, wheel in enumerate(task.wheels, 1)}
     if task.helix:
         said["m"] = tr("module in the normal section")
-    for name, given in something(given_quantities(found), lexicon):
-        assert isinstance(given.value, float)
-        if name not in without:
-            yield Datum(of(said.get(name, given.meaning)), (name,), (given.value,), given.unit)
+    own = {name: lexicon[name]._replace(meaning=words) for name, words in said.items() if name in lexicon}
+    yield from data_of({**lexicon, **own}, [name for name in given_quantities(found) if name not in without], of)
 
 
 def _rack(found: MeshPair, of: Of, train: TrainTable) -> Iterator[Datum]:
     """The rack of a mesh of a train: what of it the train has not told."""
     names = [name for name in RACK if name not in _told_rack(found.task, train)]
-    lexicon = told_of(found).lexicon
-    for name, given in something(names, lexicon):
-        assert isinstance(given.value, float)
-        yield Datum(of(given.meaning), (name,), (given.value,), given.unit)
+    yield from data_of(told_of(found).lexicon, names, of)
     yield from _rounding(found.task, of)
 
 
@@ -181,11 +172,7 @@ def _width(task: PairTask | WheelTask, rule: Rule, of: Of) -> Iterator[Datum]:
 def _open(order: Order, found: MeshPair) -> Iterator[Datum]:
     """The open pair on the crank; of its rack what a train does not have told."""
     table: OpenPairTable = order.spec.open_pair
-    name = tr("open pair")
-
-    def of(what: str) -> str:
-        return f"{name}: {what}"
-
+    of = owned(tr("open pair"))
     if found.task.kind == "internal":
         yield Datum(of(tr("kind of mesh")), text=tr("internal, of a wheel in a ring"))
     yield from _quantities(found, of, _told_rack(found.task, order.spec.train))
@@ -215,9 +202,7 @@ def of_wheel(order: Order) -> Iterator[Datum]:
         return
     found: SingleWheel = order.results["wheel"]
     yield Datum(tr("kind of the wheel"), text=tr("ring") if found.task.kind == "internal" else tr("external"))
-    for name, given in given_of_wheel(found):
-        assert isinstance(given.value, float)
-        yield Datum(given.meaning, (name,), (given.value,), given.unit)
+    yield from data_of(dict(given_of_wheel(found)))
     task, measured = found.task, found.task.measuring
     yield from _rounding(task, str)
     if not task.undercut:

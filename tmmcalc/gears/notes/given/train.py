@@ -16,7 +16,7 @@ from tmmcalc.gears.trains import Request
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Datum
-from tmmcalc.report.numbers import number
+from tmmcalc.report.telling import as_given
 
 
 def of_train(order: Order) -> Iterator[Datum]:
@@ -185,4 +185,4 @@ def _each(values: Any) -> tuple[float, ...]:
 
 
 def _plain(part: Any) -> str:
-    return number(float(part))
+    return as_given(float(part))

@@ -12,6 +12,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Datum
+from tmmcalc.report.telling import between, in_rows
 
 EVEN = 1e-9  # [rad] by which equal steps may differ
 
@@ -56,16 +57,18 @@ def _law(task: TorqueTask) -> Iterator[Datum]:
             yield Datum(tr("amplitudes of the cosines"), (), tuple(cosine for _, cosine, _ in terms), "N*m")
             yield Datum(tr("amplitudes of the sines"), (), tuple(sine for _, _, sine in terms), "N*m")
         case TorquePoints(theta=theta, moment=moment, interpolation=interpolation):
-            yield _places(tr("angles of the points of the diagram"), theta, task.period)
-            yield Datum(tr("{moment}, at these points", moment=said), (), tuple(moment), "N*m")
-            yield Datum(tr("moment between the points"), text=_between(interpolation))
+            places = _places(tr("angles of the points of the diagram"), theta, task.period)
+            there = tr("{moment}, at these points", moment=said)
+            yield from in_rows(places, Datum(there, (), tuple(moment), "N*m"))
+            yield Datum(tr("moment between the points"), text=between(interpolation))
 
 
 def _inertia(found: InertiaPoints, cycle: float) -> Iterator[Datum]:
     """The reduced inertia that varies with the angle."""
-    yield _places(tr("angles of the points of the reduced moment of inertia"), found.theta, found.period)
-    yield Datum(tr("reduced moment of inertia at these points"), (tr("J_red"),), found.inertia, "kg*m^2")
-    yield Datum(tr("reduced moment of inertia between the points"), text=_between(found.interpolation))
+    places = _places(tr("angles of the points of the reduced moment of inertia"), found.theta, found.period)
+    there = Datum(tr("reduced moment of inertia at these points"), (tr("J_red"),), found.inertia, "kg*m^2")
+    yield from in_rows(places, there)
+    yield Datum(tr("reduced moment of inertia between the points"), text=between(found.interpolation))
     if found.period != cycle:
         said = tr("angle after which the reduced moment of inertia repeats itself")
         yield Datum(said, (), (math.degrees(found.period),), "deg")
@@ -76,15 +79,6 @@ def _places(said: str, theta: Sequence[float], period: float) -> Datum:
     ends = abs(theta[-1] - period) < EVEN  # whether the end of the period has its own value
     count = len(theta) - ends
     if all(abs(angle - k * period / count) < EVEN for k, angle in enumerate(theta)):
-        text = tr("{count} equal steps of the period, from zero on", count=count)
+        text = tr("number of equal steps of the period: {count}, from zero on", count=count)
         return Datum(said, text=tr("{steps}, with its end", steps=text) if ends else text)
     return Datum(said, (), tuple(map(math.degrees, theta)), "deg")
-
-
-def _between(interpolation: str) -> str:
-    """How a curve goes from point to point."""
-    return {
-        "linear": tr("straight lines"),
-        "pchip": tr("smooth monotone curve"),
-        "spline": tr("cubic spline"),
-    }[interpolation]

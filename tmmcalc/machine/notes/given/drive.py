@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tmmcalc.machine.motors.model import RPM, Motor
-from tmmcalc.machine.notes.motors import called, driven, losses, motor_data
+from tmmcalc.machine.notes.motors import called, driven, losses, plate, points_of
 from tmmcalc.machine.power import Power
 from tmmcalc.machine.tables.motor import MotorTable
 from tmmcalc.machine.tables.names import shaft_names
@@ -14,6 +14,7 @@ from tmmcalc.machine.tables.tasks.machine import CHOOSE, to_motion
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Datum
+from tmmcalc.report.telling import data_of
 
 DRIVEN = {"motion", "flywheel", "transient"}  # stages that ask what drives the machine
 
@@ -51,9 +52,8 @@ def _motor(table: MotorTable, power: Power) -> Iterator[Datum]:
     if power.duty is None:
         return
     motor = power.duty.motor
-    for key, given in motor_data(motor, power).items():
-        if key not in ("u", "eta_u") and isinstance(given.value, float) and given.value:
-            yield Datum(given.meaning, (key,), (given.value,), given.unit)
+    known = plate(motor)
+    yield from data_of(known, known)
     if motor.start is not None:
         yield Datum(tr("starting moment of the motor over the rated one"), (), (motor.start,))
     if motor.field_resistance:
@@ -62,7 +62,7 @@ def _motor(table: MotorTable, power: Power) -> Iterator[Datum]:
     if motor.inertia:
         yield Datum(tr("moment of inertia of the rotor"), ("J_R",), (motor.inertia,), "kg*m^2")
     yield from _lag(table, motor)
-    yield from _points(motor)
+    yield from points_of(motor)
 
 
 def _lag(table: MotorTable, motor: Motor) -> Iterator[Datum]:
@@ -72,20 +72,6 @@ def _lag(table: MotorTable, motor: Motor) -> Iterator[Datum]:
         yield Datum(said, ("tau_e",), text=tr("by the critical slip, at 50 Hz"))
     elif motor.time_constant:
         yield Datum(said, ("tau_e",), (motor.time_constant,), "s")
-
-
-def _points(motor: Motor) -> Iterator[Datum]:
-    """A characteristic by points, on the shaft of the motor."""
-    if motor.points:
-        speeds, moments = zip(*motor.points, strict=True)
-        yield Datum(tr("speeds of the motor at the points of its characteristic"), (), _rpm(speeds), "rpm")
-        yield Datum(tr("moments of the motor at these points"), (), moments, "N*m")
-        said = {"linear": tr("straight lines"), "pchip": tr("smooth monotone curve")}[motor.interpolation]
-        yield Datum(tr("characteristic between its points"), text=said)
-
-
-def _rpm(speeds: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(speed * RPM for speed in speeds)
 
 
 def _gears(order: Order, power: Power) -> Iterator[Datum]:

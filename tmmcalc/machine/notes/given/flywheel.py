@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from tmmcalc.machine.flywheel.results import Flywheel
+from tmmcalc.machine.flywheel.materials import Material
+from tmmcalc.machine.flywheel.placement import rim_material
 from tmmcalc.machine.flywheel.rim import DEFAULT
 from tmmcalc.machine.tables.flywheel import FlywheelTable
+from tmmcalc.machine.tables.tasks.machine import to_flywheel
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Datum
@@ -33,17 +35,16 @@ def of_flywheel(order: Order) -> Iterator[Datum]:
         yield Datum(tr("speed of the flywheel over the speed of the input link"), ("u_M",), (table.ratio,))
     if "flywheel" in order.results:
         proportioned = table.width is None and table.thickness is None
-        yield from _rim(order.results["flywheel"], proportioned=proportioned)
+        task = to_flywheel(order.spec)
+        assert task is not None
+        yield from _rim(rim_material(task), proportioned=proportioned)
 
 
-def _rim(found: Flywheel, *, proportioned: bool) -> Iterator[Datum]:
-    """What is taken for a rim that is designed, beyond its sizes."""
-    rim = found.wheels[0].rim if found.addition > 0 else None
-    if rim is None:
-        return
-    yield Datum(tr("what the rim is made of"), text=tr_name(rim.material.name))
-    yield Datum(tr_name("density of the rim"), ("rho_r",), (rim.material.density,), "kg/m^3")
-    yield Datum(tr("highest allowed speed of the rim"), ("v_a",), (rim.material.rim_speed,), "m/s")
+def _rim(material: Material, *, proportioned: bool) -> Iterator[Datum]:
+    """What is taken for a rim, beyond its sizes, whether one is found to be needed or not."""
+    yield Datum(tr("what the rim is made of"), text=tr_name(material.name))
+    yield Datum(tr_name("density of the rim"), ("rho_r",), (material.density,), "kg/m^3")
+    yield Datum(tr("highest allowed speed of the rim"), ("v_a",), (material.rim_speed,), "m/s")
     yield Datum(tr("share of the rim in the moment of inertia"), ("c_J",), (DEFAULT.rim_inertia,))
     yield Datum(tr("share of the rim in the mass"), ("c_m",), (DEFAULT.rim_mass,))
     if proportioned:

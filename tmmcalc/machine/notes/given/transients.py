@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from tmmcalc.machine.motors.model import RPM, Motor
 from tmmcalc.machine.notes.motors import driven
@@ -12,19 +12,14 @@ from tmmcalc.machine.tables.transients import BrakeTable, BrakingTable, LoadStep
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Datum
-
-Of = Callable[[str], str]  # a quantity with the name of the motion that it is of
+from tmmcalc.report.telling import Of, owned
 
 
 def of_transients(order: Order) -> Iterator[Datum]:
     """All motions in time; a load that acts as it is given and a motor that is on throughout are not told of."""
     tables, found = order.spec.transients, driven(order) if "power" in order.results else None
     for table, name in zip(tables, transient_names([each.name for each in tables]), strict=True):
-        own = tr("motion “{name}”", name=name)
-
-        def of(what: str, own: str = own) -> str:
-            return f"{own}: {what}"
-
+        of = owned(tr("motion “{name}”", name=name))
         yield from _beginning(table, of)
         if found is not None:
             yield from _motor(table, found[1], of)
@@ -52,8 +47,10 @@ def _motor(table: TransientTable, motor: Motor, of: Of) -> Iterator[Datum]:
     """When the motor is on, and how it is connected if it brakes."""
     if table.motor == "off":
         yield Datum(of(tr_name("motor")), text=tr("switched off"))
-    for on, off in table.motor_on or ():
-        yield Datum(of(tr("motor on from, and to")), (), (on, off), "s")
+    intervals = table.motor_on or ()
+    for k, (on, off) in enumerate(intervals, 1):
+        said = tr("interval {number} in which the motor is on, from and to", number=k)
+        yield Datum(of(said if len(intervals) > 1 else tr("motor on from, and to")), (), (on, off), "s")
     if table.braking is not None:
         yield from _braking(table.braking, motor, of)
 

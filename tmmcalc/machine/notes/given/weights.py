@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from tmmcalc.machine.balance.redistribution import Place
-from tmmcalc.machine.balance.solve import Balancing
+from tmmcalc.machine.balance.solve import BalanceTask
 from tmmcalc.machine.pictures.words import scheme_name
 from tmmcalc.machine.tables.balance import BalanceTable, RotatingWeightTable
 from tmmcalc.machine.tables.tasks.balance import to_balance
@@ -17,21 +17,17 @@ from tmmcalc.report.manuscript import Datum
 
 def of_weights(order: Order) -> Iterator[Datum]:
     """Schemes where the spec names them, what is chosen of their weights, counterweights and weights of one's own."""
-    found: Balancing | None = order.results["balance"].linkage if "balance" in order.results else None
-    if found is None:
+    if "balance" not in order.results or order.results["balance"].linkage is None:
         return
     table: BalanceTable | None = order.spec.balance
     if table is not None and "schemes" in table.model_fields_set:
         names = ", ".join(map(scheme_name, table.schemes))
         yield Datum(tr("schemes of balancing"), text=names or tr("none"))
-    if any(scheme.weights for scheme in found.schemes if scheme.name != "given"):
-        if found.mass is not None:
-            yield Datum(tr("mass of each balancing weight"), ("m_w",), (found.mass,), "kg")
-        elif found.radius is not None:
-            yield Datum(tr("radius of the balancing weights"), ("r_k",), (found.radius,), "m")
+    task = to_balance(order.spec)
+    if task.schemes:
+        yield _chosen(task)
     if table is None:
         return
-    task = to_balance(order.spec)
     if task.point is not None:
         said = tr("coordinates of the point that moments of the shaking force are about")
         yield Datum(said, (), (task.point.real, task.point.imag), "m")
@@ -39,6 +35,16 @@ def of_weights(order: Order) -> Iterator[Datum]:
         yield _on_link(place)
     for number, weight in enumerate(table.add, 1):
         yield from _own(weight, number)
+
+
+def _chosen(task: BalanceTask) -> Datum:
+    """What is chosen of the weights of all schemes: their mass or their radius."""
+    if task.mass is not None:
+        return Datum(tr("mass of each balancing weight"), ("m_w",), (task.mass,), "kg")
+    said = tr("radius of the balancing weights")
+    if task.radius is not None:
+        return Datum(said, ("r_U",), (task.radius,), "m")
+    return Datum(said, ("r_U",), text=tr("the length of the crank"))
 
 
 def _on_link(place: Place) -> Datum:
