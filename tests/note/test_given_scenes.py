@@ -209,4 +209,4 @@ def test_the_table_of_a_chapter_has_written_numbers_whole() -> None:
     done = solved(HEAD + test_vibration.KINDS["stiffnesses"], ("vibrator.ring.mass=1.234567",))
     chapters = chapters_of({"vibration": "Vibration"}, done.spec, done.results, NONE)
     rows = [row for chapter in chapters for block in chapter.blocks if isinstance(block, Table) for row in block.rows]
-    assert next(row[-1] for row in rows if row[0] == "Mass of the ring") == "1.234567"
+    assert next(row[-1] for row in rows if row[0] == "mass of the ring") == "1.234567"

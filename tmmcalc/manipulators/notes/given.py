@@ -71,13 +71,13 @@ def whole(task: ManipulatorTask) -> Iterator[Block]:
     yield from rows(task)
     if isinstance(asked, PathTask) and isinstance(asked.route, PolyRoute) and len(asked.route.points) > 2:
         for k, place in enumerate(asked.route.points, 1):
-            yield _point(tr("Point {number} of the path", number=k), task.arm, str(k), place)
+            yield _point(tr("point {number} of the path", number=k), task.arm, str(k), place)
     elif isinstance(asked, TableTask):
         yield from _of_table(task.arm, asked)
-    yield Datum(tr("Number of equal steps of the time of the motion"), ("n",), (float(task.steps),))
+    yield Datum(tr("number of equal steps of the time of the motion"), ("n",), (float(task.steps),))
     if task.obstacles:
         clear = tr("gripper and arm") if task.check_arm else tr("gripper alone")
-        yield Datum(tr("What must keep clear of the obstacles"), text=clear)
+        yield Datum(tr("what must keep clear of the obstacles"), text=clear)
 
 
 def _by_path(asked: PathTask) -> Paragraph:
@@ -128,17 +128,17 @@ def rows(task: ManipulatorTask) -> Iterator[Datum]:
     """The data as they stand in the table of the chapter."""
     arm, asked = task.arm, task.motion
     if arm.kind == "angular":
-        yield Datum(tr("Length of the upper arm"), ("l_a",), (arm.upper,), "m")
-        yield Datum(tr("Length of the forearm"), ("l_b",), (arm.forearm,), "m")
+        yield Datum(tr("length of the upper arm"), ("l_a",), (arm.upper,), "m")
+        yield Datum(tr("length of the forearm"), ("l_b",), (arm.forearm,), "m")
         if isinstance(asked, PathTask):
             side = (
                 tr("to the left of the line from the shoulder to the gripper, seen along it")
                 if arm.elbow > 0
                 else tr("to the right of the line from the shoulder to the gripper, seen along it")
             )
-            yield Datum(tr("Elbow"), text=side)
+            yield Datum(tr("elbow"), text=side)
     if arm.height:
-        yield Datum(tr("Height of the shoulder"), ("H",), (arm.height,), "m")
+        yield Datum(tr("height of the shoulder"), ("H",), (arm.height,), "m")
     if isinstance(asked, PathTask):
         yield from _of_path(arm, asked)
     elif isinstance(asked, LawTask):
@@ -156,22 +156,22 @@ def _point(said: str, arm: Arm, index: str, place: Place) -> Datum:
 def _of_path(arm: Arm, asked: PathTask) -> Iterator[Datum]:
     route, drive = asked.route, asked.drive
     if isinstance(route, ArcRoute | ArcThrough):
-        yield _point(tr("Start of the path"), arm, "1", route.start)
-        yield _point(tr("End of the path"), arm, "2", route.end)
+        yield _point(tr("start of the path"), arm, "1", route.start)
+        yield _point(tr("end of the path"), arm, "2", route.end)
         if isinstance(route, ArcThrough):
-            yield _point(tr("Point of the arc"), arm, "v", route.via)
+            yield _point(tr("point of the arc"), arm, "v", route.via)
         else:
-            yield Datum(tr("Radius of the arc"), ("R",), (route.radius,), "m")
-            yield Datum(tr("Side of the centre"), ("K",), (float(route.side),))
+            yield Datum(tr("radius of the arc"), ("R",), (route.radius,), "m")
+            yield Datum(tr("side of the centre"), ("K",), (float(route.side),))
             if arm.spatial:
-                yield Datum(tr("Normal of the plane of the arc"), ("n_x", "n_y", "n_z"), route.normal)
+                yield Datum(tr("normal of the plane of the arc"), ("n_x", "n_y", "n_z"), route.normal)
     elif len(route.points) == 2:
-        yield _point(tr("Start of the path"), arm, "1", route.points[0])
-        yield _point(tr("End of the path"), arm, "2", route.points[1])
+        yield _point(tr("start of the path"), arm, "1", route.points[0])
+        yield _point(tr("end of the path"), arm, "2", route.points[1])
     else:
-        yield Datum(tr("Number of points of the path"), (), (float(len(route.points)),))
+        yield Datum(tr("number of points of the path"), (), (float(len(route.points)),))
         if route.corner:
-            yield Datum(tr("Radius of the rounded corners"), ("R",), (route.corner,), "m")
+            yield Datum(tr("radius of the rounded corners"), ("R",), (route.corner,), "m")
     limits = (
         (drive.speed, "v_m", "m/s", tr("Allowed speed of the gripper")),
         (drive.duration, "T", "s", tr("Time of the motion")),
@@ -195,7 +195,7 @@ def _of_laws(arm: Arm, asked: LawTask) -> Iterator[Datum]:
         limits = (joint.rate, move.speed, f"{unit}/s"), (joint.acceleration, move.acceleration, f"{unit}/s^2")
         for (name, value, own), what in zip(limits, said[1:], strict=True):
             if value is not None:
-                yield Datum(tr("Allowed: {what}", what=what), (name,), (value,), own)
+                yield Datum(tr("allowed: {what}", what=what), (name,), (value,), own)
 
 
 def _of_table(arm: Arm, asked: TableTask) -> Iterator[Block]:
@@ -206,7 +206,7 @@ def _of_table(arm: Arm, asked: TableTask) -> Iterator[Block]:
             "the rows velocity and acceleration are continuous, at both ends the joint is at rest."
         )
     )
-    lists = [Datum(tr("Times of the table"), ("t_k",), tuple(asked.t.tolist()), "s")]
+    lists = [Datum(tr("times of the table"), ("t_k",), tuple(asked.t.tolist()), "s")]
     for joint, values in zip(arm.joints, asked.q, strict=True):
         said = tr("{what}, at these times", what=_capital(joint_words(arm, joint)[0]))
         lists.append(_coordinates(said, joint, *values.tolist()))
@@ -226,10 +226,10 @@ def _of_limit(arm: Arm, limit: JointLimit) -> Datum:
 
 def _of_obstacle(arm: Arm, obstacle: Obstacle) -> Iterator[Datum]:
     for k, each in enumerate(obstacle.corners, 1):
-        said = tr("Corner {number} of obstacle {name}", number=k, name=obstacle.name)
+        said = tr("corner {number} of obstacle {name}", number=k, name=obstacle.name)
         yield Datum(said, ("x", "y"), (each.real, each.imag), "m")
     if arm.spatial:
-        said = tr("Height of obstacle {name}, its lower and its upper end", name=obstacle.name)
+        said = tr("height of obstacle {name}, its lower and its upper end", name=obstacle.name)
         yield Datum(said, ("z",), (obstacle.low, obstacle.high), "m")
 
 

@@ -129,14 +129,14 @@ def _rows(task: PendulumTask, table: PendulumTable) -> Iterator[Datum]:
     if rod.torsion_stiffness is not None:
         yield Datum(tr("Torsional stiffness of the rod"), ("C_p",), (rod.torsion_stiffness,), "N*m^2")
     elif task.rod.torsion is not None:
-        yield Datum(tr("Shear modulus"), ("G",), (rod.shear_modulus,), "Pa")
+        yield Datum(tr("shear modulus"), ("G",), (rod.shear_modulus,), "Pa")
     if rod.section_radius is not None:
         yield from _pair(task, tr("Radius of gyration of the section"), "i", "m", task.rod.radius)
     if disc is not None:
         yield from _disc_rows(task, disc)
     if task.pivot is not None:
         yield Datum(tr("Stiffness of the joint"), ("k",), (task.pivot,), "N*m/rad")
-    yield Datum(tr("Acceleration of gravity"), ("g",), (task.gravity,), "m/s^2")
+    yield Datum(tr("acceleration of gravity"), ("g",), (task.gravity,), "m/s^2")
     if task.spin:
         yield Datum(tr("Speed of spin"), ("Omega",), (task.spin,), "rad/s")
 

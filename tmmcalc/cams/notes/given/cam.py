@@ -85,8 +85,9 @@ def _rows(table: CamTable, law: LawResult) -> Iterator[Datum]:
     if table.steps is not None:
         yield Datum(tr("number of equal steps of each phase of motion"), (), (float(table.steps),))
         yield from _positions(law)
-    elif "step" in table.model_fields_set:
-        yield Datum(tr("step of the angle of the cam in the tables"), (), (degrees(table.step),), "deg")
+    else:
+        said = tr("angle of the cam from position to position, from the beginning of the rise on")
+        yield Datum(said, (), (degrees(table.step),), "deg")
 
 
 def _positions(law: LawResult) -> Iterator[Datum]:
@@ -104,6 +105,8 @@ def _sizes(order: Order, told: Told) -> Iterator[Datum]:
     """The sizes that are given; the limits of those that are found, or that the spec writes."""
     table, result = order.spec.cam, order.results["cam_synthesis"]
     sizes = [SIZES[size.symbol] for size in result.sizes if size.given]
+    if told.follower.kind == "translating" and table.offset == 0 and "e" not in sizes:
+        sizes.append("e")  # it may be sought too, so that none is told
     yield from data_of(of_follower(told.follower), sizes)
     sought = len(sizes) < len(result.sizes)
     yield from data_of(of_limits(told), [*LIMITS.values()] if sought else written(table.limits, LIMITS))

@@ -32,6 +32,7 @@ OF_WHEELS: Mapping[str, Callable[[str], str]] = {  # what is given of a wheel, b
     "r_a": lambda wheel: tr("tip radius of wheel {wheel}", wheel=wheel),
 }
 RACK = ("alpha", "h_a^{*}", "c^{*}")
+MM = 1e3  # of a metre
 
 
 def of_pairs(order: Order) -> Iterator[Datum]:
@@ -157,7 +158,7 @@ def _measures(task: PairTask, of: Of) -> Iterator[Datum]:
     balls = {f"D_{k}": size for k, size in enumerate(asked.balls, 1) if size is not None}
     if balls:
         said = tr("diameters of the pins") if asked.body == "pins" else tr("diameters of the balls")
-        yield Datum(of(said), tuple(balls), tuple(balls.values()), "m")
+        yield Datum(of(said), tuple(balls), tuple(MM * size for size in balls.values()), "mm")
     elif asked.body == "pins":
         yield Datum(of(tr("measured over")), text=tr("pins"))
     yield from _width(task, asked.rule, of)
@@ -213,10 +214,10 @@ def of_wheel(order: Order) -> Iterator[Datum]:
         yield Datum(tr("number of teeth in the span"), ("z_w",), (float(measured.span_teeth),))
     if measured.ball is not None:
         said = tr("diameter of the pins") if measured.body == "pins" else tr("diameter of the balls")
-        yield Datum(said, ("D",), (measured.ball,), "m")
+        yield Datum(said, ("D",), (MM * measured.ball,), "mm")
     elif measured.body == "pins":
         yield Datum(tr("measured over"), text=tr("pins"))
     yield from _width(task, measured.rule, str)
     if task.circles:
-        diameters = tuple(2 * radius for radius in task.circles)
-        yield Datum(tr("diameters of circles on which the tooth is asked for"), (), diameters, "m")
+        diameters = tuple(2 * MM * radius for radius in task.circles)
+        yield Datum(tr("diameters of circles on which the tooth is asked for"), (), diameters, "mm")

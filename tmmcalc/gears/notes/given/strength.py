@@ -19,6 +19,8 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name, tr_number
 from tmmcalc.report.manuscript import Datum
 
+MM = 1e3  # of a metre
+
 
 def of_strength(order: Order) -> Iterator[Datum]:
     """What loads the train, what its wheels are made of, by what rules its modules and widths follow."""
@@ -84,8 +86,8 @@ def _stages(table: StrengthTable) -> Iterator[Datum]:
         (table.permissible_contact, "sigma_HP", megapascal, "MPa"),
         (table.permissible_bending, "sigma_FP", megapascal, "MPa"),
         (table.face_width, "psi_bd", 1.0, ""),
-        (table.module, "m", 1.0, "m"),
-        (table.width, "b", 1.0, "m"),
+        (table.module, "m", MM, "mm"),
+        (table.width, "b", MM, "mm"),
     ):
         if values is not None:
             said = tr_name(LETTERS[key])

@@ -18,6 +18,8 @@ from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Datum
 from tmmcalc.report.telling import as_given
 
+MM = 1e3  # of a metre
+
 
 def of_train(order: Order) -> Iterator[Datum]:
     """What the train has to be, and among which numbers of teeth it is sought."""
@@ -87,9 +89,9 @@ def _modules(table: TrainTable, requests: Sequence[Request]) -> Iterator[Datum]:
             said = tr("least and largest proportion of the standard modules of stages 2 and 1")
             yield Datum(said, (), (low, high))
     if table.modules is not None:
-        yield Datum(tr("modules of the stages"), ("m_1", "m_2"), tuple(table.modules), "m")
+        yield Datum(tr("modules of the stages"), ("m_1", "m_2"), tuple(MM * each for each in table.modules), "mm")
     elif table.module is not None:
-        yield Datum(tr("module of stage 1"), ("m_1",), (table.module,), "m")
+        yield Datum(tr("module of stage 1"), ("m_1",), (MM * table.module,), "mm")
 
 
 def _limits(requests: Sequence[Request]) -> Iterator[Datum]:
@@ -141,7 +143,7 @@ def _demands(requests: Sequence[Request]) -> Iterator[Datum]:
     for name, key, meaning, factor, unit in (
         ("stage_ratio", "u_max", tr("largest ratio of one stage"), 1.0, ""),
         ("diameter_band", "delta_d", tr("largest relative difference of the diameters of the wheels"), 100.0, "%"),
-        ("envelope", "D_max", tr("largest diameter around the train"), 1.0, "m"),
+        ("envelope", "D_max", tr("largest diameter around the train"), MM, "mm"),
     ):
         found = _each(value for task in tasks if (value := getattr(task.demands, name)) is not None)
         if found:
@@ -153,7 +155,7 @@ def _demands(requests: Sequence[Request]) -> Iterator[Datum]:
         strict=True,
     ):
         if low_high is not None:
-            yield Datum(meaning, (letter(key),), (low_high,), "m")
+            yield Datum(meaning, (letter(key),), (MM * low_high,), "mm")
     if demands.equal_pinions:
         yield Datum(tr("numbers of teeth of all pinions"), text=tr("equal"))
     if demands.coprime:

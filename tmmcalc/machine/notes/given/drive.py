@@ -77,9 +77,11 @@ def _lag(table: MotorTable, motor: Motor) -> Iterator[Datum]:
 def _gears(order: Order, power: Power) -> Iterator[Datum]:
     """The gears as they are given, without an open pair on the crank, which is told by itself."""
     table = order.spec.transmission
-    if table is None:
-        return
     before = order.spec.open_pair is not None  # the pair, whose pinion these gears end at
+    if table is None:
+        if power.line.efficiency == 1.0 and not before:  # of a train too, unless the criteria give what it loses
+            yield Datum(losses(power).meaning, ("eta_u",), (1.0,))
+        return
     if table.ratio is not None:
         said = tr("speed ratio of the motor and the input shaft")
         of_pinion = tr("speed ratio of the motor and the pinion of the open pair")
@@ -115,7 +117,7 @@ def _drive(order: Order) -> str:
     found = driven(order)
     if found is None:
         free = to_motion(order.spec).undriven
-        return tr("nothing but the loads") if free else tr("constant driving moment")
+        return tr("nothing but the loads") if free else tr("constant moment, with which the work of the cycle is zero")
     return called(found[0].characteristic)
 
 

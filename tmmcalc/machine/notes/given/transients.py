@@ -92,7 +92,7 @@ def _step(step: LoadStepTable, k: int, of: Of) -> Iterator[Datum]:
         said = tr("speed of the input link above which change {number} comes", number=k)
         yield Datum(of(said), (), (step.speed * RPM,), "rpm")
     if step.quiet:
-        waited = tr("then for a part of the cycle without load")
+        waited = tr("a part of the cycle without load")
         yield Datum(of(tr("what change {number} waits for", number=k)), text=waited)
 
 
