@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import isclose
 
 from tmmcalc.note.assembled import shown_unit
-from tmmcalc.report.formula.digits import RESULT, significant
+from tmmcalc.report.formula.digits import of_given, significant
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Chapter, Datum, Figure, Paragraph, Table
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.telling import points
-
-WHOLE = 10  # digits up to which a number that is given by them is told whole
 
 
 def task(given: Sequence[Block], sought: Sequence[str], own: Sequence[Block]) -> Iterator[Chapter]:
@@ -44,16 +41,6 @@ def row_of(datum: Datum) -> tuple[str, str, str]:
     sign = shown_unit(unit)
     each = sign if unit == "deg" else ""  # every angle has its own
     scaled = [value * factor for value in datum.values]
-    values = "; ".join(f"${significant(value, _digits(scaled))}${each}" for value in scaled)
+    values = "; ".join(f"${significant(value, of_given(scaled))}${each}" for value in scaled)
     said = values if each or not sign else f"{values} {sign}"
     return datum.what, ", ".join(f"${key}$" for key in datum.keys), datum.text or said
-
-
-def _digits(values: Sequence[float]) -> int:
-    """How many digits numbers that are given have: as they were written, or, found of what was, those of a result.
-
-    >>> _digits([3.03125]), _digits([2 / 3])
-    (10, 5)
-    """
-    whole = all(isclose(value, float(f"{value:.{WHOLE}g}"), rel_tol=1e-12) for value in values)
-    return WHOLE if whole else RESULT

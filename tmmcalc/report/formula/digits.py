@@ -14,6 +14,7 @@ from tmmcalc.report.formula.setting import Shown
 from tmmcalc.report.formula.tree import Name, Node, Value, largest_term, names, value, written_out
 
 RESULT = 5  # digits of a result
+WHOLE = 10  # digits up to which a number that is given by them is told whole
 FEWEST, MOST = 5, 13  # digits of operands that are tried
 EXACT = 1e-9  # of the largest term: what a line may differ from the program's result
 PLAIN = (-4, 6)  # exponents of numbers that are written without a power of ten
@@ -72,6 +73,16 @@ def off_by(side: Node, given: Mapping[str, Given], result: float, unit: str) -> 
     full = {key: _inner(given[key].value, given[key].unit) for key in names(side)}
     exact, size = _outer(value(side, full), unit), _size(side, full, result, unit)
     return abs(_apart(exact, result, unit)) / size if size else 0.0
+
+
+def of_given(values: Sequence[float]) -> int:
+    """How many digits numbers that are given have: as they were written, or, found of what was, those of a result.
+
+    >>> of_given([3.03125]), of_given([2 / 3])
+    (10, 5)
+    """
+    whole = all(math.isclose(value, float(f"{value:.{WHOLE}g}"), rel_tol=1e-12) for value in values)
+    return WHOLE if whole else RESULT
 
 
 def _size(side: Node, full: Mapping[str, Value], result: float, unit: str) -> float:
