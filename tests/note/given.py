@@ -21,7 +21,7 @@ QUANTITY = re.compile(r"\s*([-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?)(\s+\S.*)?")
 OTHER = (1.07, 0.95, 1.5, 0.5)  # of a number: the first that the spec allows
 SMALL = (0.013, -0.013, 1e-4)  # in place of nothing
 PARTS = re.compile(r", points \d+ to \d+$")  # of a long list
-ALONG = ("phi", "Deltas")  # what is counted along the motion, whatever stands there
+ALONG = re.compile(r"(angle of the crank|travel of the drive) from the first position")  # phi and Deltas of places
 
 
 def data_of(blocks: Iterable[Block]) -> list[Datum]:
@@ -77,9 +77,13 @@ def untold(words: str, variants: Variants, first: list[Datum], told: Callable[[S
 
 
 def ambiguous(data: Iterable[Datum], thing: Callable[[str], str] = str) -> dict[str, set[str]]:
-    """Letters that stand for several things; ``thing`` of what a datum is. Lists in parts have one letter."""
+    """Letters that stand for several things; ``thing`` of what a datum is.
+
+    Lists in parts have one letter, and what is counted along the motion, whatever stands there.
+    """
     things: dict[str, set[str]] = {}
     for each in data:
         for key in each.keys:
-            things.setdefault(canonical(key), set()).add(thing(PARTS.sub("", each.what)))
-    return {key: found for key, found in things.items() if len(found) > 1 and key not in ALONG}
+            along = ALONG.search(each.what) if key in ("phi", "Deltas") else None
+            things.setdefault(canonical(key), set()).add(along[0] if along else thing(PARTS.sub("", each.what)))
+    return {key: found for key, found in things.items() if len(found) > 1}
