@@ -79,7 +79,7 @@ def test_the_task_of_the_press_tells_all_that_is_drawn() -> None:
     own, further = traced(SHAPER.with_name("assignment-course-project.toml"))
     names = {name for _, keys in own for name in keys}
     assert further == ()
-    assert names >= {"l_{OA}", "l_{AB}", "l_{CB}", "l_{BD}", "n_1", "m_5", "k_{5}", "delta_0", "h", "phi_y", "phi_b"}
+    assert names >= {"l_{OA}", "l_{AB}", "l_{CB}", "l_{BD}", "n_1", "m_5", "k_{Q,5}", "delta_0", "h", "phi_y", "phi_b"}
     assert not names & {"phi_c", "phi_d", "m_1", "J_1", "P_N"}
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections import defaultdict
 from functools import cache
 
 import pytest
 
+from note.given import ambiguous, data_of
 from note.scenes import CONFIGS, SPECS
 from tmmcalc.note.task import row_of
 from tmmcalc.pipeline.chapters import task_of
@@ -106,7 +106,6 @@ QUICK = {
     "wheel",
 }
 SEVERAL = re.compile(r"^(motion|pair|open pair)[^:]*: |: .*$|“.*?”")  # of what a quantity is, where several have it
-CRANK = "angle of the crank from the first position"
 TEACHING = [name for name in SPECS if not name.startswith(("extra", "synth", "best", "manipulator", "rules", "feasib"))]
 
 
@@ -138,15 +137,11 @@ def test_what_makes_another_solution_makes_another_table(name: str, change: str)
 def test_one_letter_is_one_thing(name: str) -> None:
     """Of several motions, pairs, joints and loads each has its own value of one thing; gravity is one for all.
 
-    So is the angle of the crank; a long list of values has several rows.
+    So is what is counted along the motion; a long list of values has several rows.
     """
-    meanings = defaultdict[str, set[str]](set)
-    for what, (keys, _) in told(name).items():
-        for key in keys.split(", ") if keys else ():
-            of_crank = CRANK if CRANK in what else ""
-            meanings[key].add(of_crank or SEVERAL.sub("", what.partition(", points ")[0]))
-    found = {key: whats for key, whats in meanings.items() if len(whats) > 1 and key != "g"}
-    assert not found
+    done = run(load_spec(CONFIGS / f"{name}.toml"))
+    found = ambiguous(data_of(task_of(done.spec, done.results)), lambda what: SEVERAL.sub("", what))
+    assert {key: things for key, things in found.items() if key != "g"} == {}
 
 
 @pytest.mark.slow

@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from note.scenes import blocks, told
 from tmmcalc.note.assembled import Assembler
+from tmmcalc.pipeline.chapters import chapters_of
+from tmmcalc.pipeline.runner import run
+from tmmcalc.project import load_spec
 from tmmcalc.report.formula.digits import RESULT
 from tmmcalc.report.formula.tree import Name
-from tmmcalc.report.manuscript import Paragraph
+from tmmcalc.report.manuscript import Heading, Line, Paragraph
+from tmmcalc.rooms import CHAPTERS
 
+SPRUNG = Path(__file__).parents[1] / "design" / "sprung.toml"
 MOMENTS = {8: (1.48464, -3.44517, -1.16916), 10: (-1.48464, -38.9661, -3.42309), 11: (-2.57147, -42.8954, -6.31186)}
 
 
@@ -71,3 +77,17 @@ def test_which_side_of_a_jump_a_load_is_told_of() -> None:
     said = " ".join(each.text for each in found if isinstance(each, Paragraph))
     assert "Where a load begins or ends in a position (here 19), it counts there." in said
     assert "Where the technological load jumps in a position (here 18), its value there is that after the jump." in said
+
+
+def test_a_rod_whose_centre_of_mass_is_in_a_pin_is_divided_between_none(tmp_path: Path) -> None:
+    """Its mass stands in the pin whole, at either end of the rod; the other masses have their lines."""
+    for centre in ("", 'center = ["600 mm", 0]', 'center = ["300 mm", 0]'):
+        words = SPRUNG.read_text(encoding="utf-8").replace('center = ["300 mm", 0]', centre)
+        spec = tmp_path / "pinned.toml"
+        spec.write_text(f"{words}\n[balance]\n", encoding="utf-8")
+        done = run(load_spec(spec), target="balance")
+        found = blocks([*chapters_of({"balance": CHAPTERS["balance"]}, done.spec, done.results)])
+        divided = [line for line in found if isinstance(line, Line) and line.formula.sides[0] == Name("m_2A")]
+        titles = [each.text for each in found if isinstance(each, Heading)]
+        assert (len(divided), "Masses in points" in titles) == ((1, True) if "300" in centre else (0, False))
+        assert "Shaking force and moment" in titles

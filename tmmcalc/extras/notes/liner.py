@@ -113,7 +113,7 @@ def data(order: Order) -> Iterator[Block]:
             )
         )
     yield from data_of(_known(task))
-    far = tr("free") if task.length is not None else tr("so far that it is not felt at the ring")
+    far = tr("free end") if task.length is not None else tr("so far that it is not felt at the ring")
     yield Datum(tr("far end of the shell"), text=far)
     follows = tr("its edge, which the turn of the ring moves too") if task.continuity == "edge" else tr("its centre")
     yield Datum(tr("what of the ring the shell follows"), text=follows)

@@ -150,14 +150,16 @@ class Indicator(Placed):
 
     def _first(self) -> str:
         """Where the first stroke begins; strokes lead away from the closed end and back in turn."""
+        from tmmcalc.report.formula.digits import digits_given
         from tmmcalc.report.language import tr
         from tmmcalc.report.telling import numeral
 
         if not self.delay:
             return tr("from the first dead centre at the closed end on; the load is directed away from this end")
+        after = math.degrees(self.delay)
         return tr("from the first dead centre at the closed end on that the crank passes after {angle}° from the first "
                   "position; the load is directed away from this end",
-                  angle=f"${numeral(math.degrees(self.delay))}$")  # fmt: skip
+                  angle=f"${numeral(after, digits_given(after))}$")  # fmt: skip
 
     @property
     def turns(self) -> int:

@@ -47,10 +47,12 @@ class Called:
 
     load: str  # “gas”
     key: str  # its value in formulas, ``Q_{gas}``
-    index: str  # of the other letters of its law, ``gas``
+    index: str  # of the other letters of its law, ``Q,gas``
     kind: Kind
     turns: bool  # whether the input is a crank; else it is counted by its travel
     outputs: Mapping[str | None, Coordinate]  # of the mechanism by their names, the first one under None too
+    windowed: bool  # whether it acts within a window, from whose beginning it may be counted
+    against: int  # the link that it pushes against, or whose motion it resists; 0 for the frame
 
     @property
     def unit(self) -> str:

@@ -87,11 +87,19 @@ class Polynomial(Placed):
         from tmmcalc.report.language import tr, tr_unit
         from tmmcalc.report.manuscript import Datum
 
-        said = (
-            tr("given load {name}; $theta$ – angle of the crank from its beginning, rad", name=called.load)
-            if called.turns
-            else tr("given load {name}; $theta$ – travel of the drive from its beginning, m", name=called.load)
-        )
+        name = called.load
+        if called.windowed:
+            said = (
+                tr("given load {name}; $theta$ – angle of the crank from its beginning, rad", name=name)
+                if called.turns
+                else tr("given load {name}; $theta$ – travel of the drive from its beginning, m", name=name)
+            )
+        else:
+            said = (
+                tr("given load {name}; $theta$ – angle of the crank from the first position, rad", name=name)
+                if called.turns
+                else tr("given load {name}; $theta$ – travel of the drive from the first position, m", name=name)
+            )
         yield Datum(said, (called.key,), text=f"${written(self.coefficients)}$ {tr_unit(called.unit)}")
 
     def along(self, acting: "Acting") -> "Value":
@@ -113,14 +121,15 @@ class Polynomial(Placed):
 def written(coefficients: Sequence[float]) -> str:
     """A polynomial of the angle as a formula.
 
-    >>> written([0.0, -180.0, 68.75])
-    '- 180*theta + 68.75*theta**2'
+    >>> written([0.0, -180.0, 68.75493542])
+    '- 180*theta + 68.75493542*theta**2'
     """
+    from tmmcalc.report.formula.digits import WHOLE
     from tmmcalc.report.telling import numeral
 
     terms = []
     for power, value in enumerate(coefficients):
         if value:
             angle = ["", "*theta"][power] if power < 2 else f"*theta**{power}"
-            terms.append(f"{'-' if value < 0 else '+'} {numeral(abs(value))}{angle}")
+            terms.append(f"{'-' if value < 0 else '+'} {numeral(abs(value), WHOLE)}{angle}")
     return " ".join(terms).removeprefix("+ ") or "0"

@@ -76,13 +76,18 @@ class Resistance(Law):
         from tmmcalc.spec.dimensions import DIMENSIONS
 
         of_force, of_moment = self.dimensions
+        words = {"name": called.load, "link": called.against}
         if called.kind == "force":
             letter, dimension = "v", of_force
-            said = tr("given load {name}; $v$ – velocity of its point along its direction", name=called.load)
+            said = tr("given load {name}; $v$ – velocity of its point along its direction", **words)
+            relative = tr("given load {name}; $v$ – velocity of its point along its direction, relative to link {link}",
+                          **words)  # fmt: skip
         else:
             letter, dimension = "omega", of_moment
-            said = tr("given load {name}; $omega$ – angular velocity of its link", name=called.load)
+            said = tr("given load {name}; $omega$ – angular velocity of its link", **words)
+            relative = tr("given load {name}; $omega$ – angular velocity of its link relative to link {link}", **words)
         size = letter if self.order == 1 else f"{letter}*abs({letter})"
+        said = relative if called.against else said
         yield Datum(said, (called.key,), text=f"$-c_{{{called.index}}}*{size}$")
         about = tr("coefficient of load {name}", name=called.load)
         yield Datum(about, (f"c_{{{called.index}}}",), (self.coefficient,), DIMENSIONS[dimension].si)

@@ -141,15 +141,11 @@ class Tabulated(Placed):
         """The points, what is between them, when they come back."""
         from tmmcalc.report.language import tr
         from tmmcalc.report.manuscript import Datum
-        from tmmcalc.report.telling import in_rows
+        from tmmcalc.report.telling import between, in_rows
 
         values = tr("values of load {name} there", name=called.load)
         yield from in_rows(self._abscissae_given(called), Datum(values, (called.key,), self.values, called.unit))
-        between = {
-            "linear": tr("straight lines"),
-            "pchip": tr("a smooth curve, monotone between the points (cubics of Fritsch and Carlson, pchip)"),
-        }
-        yield Datum(tr("load {name} between its points", name=called.load), text=between[self.interpolation])
+        yield Datum(tr("load {name} between its points", name=called.load), text=between(self.interpolation))
         if table.table.period is not None:
             said = tr("angle of the crank after which the values of load {name} come back", name=called.load)
             yield Datum(said, (), (math.degrees(table.table.period),), "deg")

@@ -59,7 +59,7 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from _coordinates(seen)
         yield from _angles(seen, result)
     if loaded:
-        yield from given_loads(order.spec, seen, metric=known)
+        yield from given_loads(order.spec, seen, result.structure, metric=known)
     for path in to_paths(order.spec):
         yield from _path(path, turns=result.turns)
     if order.spec.unsteady is not None:

@@ -27,7 +27,7 @@ from tmmcalc.linkage.loads.sources import Place, same_place
 from tmmcalc.linkage.model import FRAME, Joint
 from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.shown import rows_shown
-from tmmcalc.linkage.notes.statics.loaded import force_key
+from tmmcalc.linkage.notes.statics.loaded import force_key, name_index, names_of
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.machine.attached import Attached
 from tmmcalc.machine.notes.moving import Mass, Moving, masses_of, moving, point_name
@@ -90,7 +90,7 @@ class Names(NamedTuple):
 def index_of(contribution: Contribution) -> str:
     """The index of a cause in formulas; a damper beside its spring has one more."""
     name = contribution.name
-    found = OWN.get(name) or plain_name(name)
+    found = OWN.get(name) or name_index(name)
     return f"{found},d" if contribution.kind == "damper" else found
 
 
@@ -193,26 +193,27 @@ def moment_lines(told: Reducing) -> Iterator[Block]:
 
 def _load_line(told: Reducing, load: Load) -> str:
     """A load by its projections and the velocity of its point, a moment by the angular velocity of its link."""
-    moving, key = told.moving, force_key(load.name)
+    moving = told.moving
+    name = names_of(moving.mechanism, moving.kinematics.structure, told.loading)[load.link, load.name, "load"]
     motions, value = moving.configuration.motions, told.columns[f"load_{load.name}"][told.rows]
-    left = f"{told.names.moment}_{{{plain_name(load.name)}}}"
+    left = f"{told.names.moment}_{{{name_index(load.name)}}}"
     if load.kind == "moment":
-        moving.give(key, value, "N*m", tr("given load"))
+        moving.give(force_key(name), value, "N*m", tr("given load"))
         moving.turning(load.link)
         moving.turning(load.against)
-        return f"{left} = {key}*(omega_{load.link} - omega_{load.against})/<w>"
+        return f"{left} = {force_key(name)}*(omega_{load.link} - omega_{load.against})/<w>"
     at = motions[load.link].point(load.point)
-    point = point_name(moving.mechanism, load.link, load.point, plain_name(load.name))
+    point = point_name(moving.mechanism, load.link, load.point, name_index(load.name))
     moving.point(point, at)
     force = value * load.direction * motions[load.follows].u
-    moving.give(force_key(load.name, "x"), force.real, "N", tr("given load"))
-    moving.give(force_key(load.name, "y"), force.imag, "N", tr("given load"))
+    moving.give(force_key(name, "x"), force.real, "N", tr("given load"))
+    moving.give(force_key(name, "y"), force.imag, "N", tr("given load"))
     rates = {axis: f"v_{{{point}{axis}}}" for axis in "xy"}
     if load.against != FRAME:
         other = f"{point}{load.against}"
         moving.point(other, same_place(motions[load.against], at))
         rates = {axis: f"({rate} - v_{{{other}{axis}}})" for axis, rate in rates.items()}
-    return f"{left} = ({' + '.join(f'{force_key(load.name, axis)}*{rate}' for axis, rate in rates.items())})/<w>"
+    return f"{left} = ({' + '.join(f'{force_key(name, axis)}*{rate}' for axis, rate in rates.items())})/<w>"
 
 
 def _weight_line(told: Reducing) -> str:

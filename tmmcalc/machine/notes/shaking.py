@@ -45,9 +45,9 @@ def linkage_blocks(order: Order, result: Balancing) -> Iterator[Block]:
     moving = Moving(mechanism, kinematics, chain.evaluate(kinematics.x[rows]), rows, [{} for _ in rows])
     moving.turning(moving.link)
     bodies = _in_pins(mechanism, loading)
-    if bodies != loading.heavy:
+    if divided := _divided(loading, bodies):
         yield Heading(tr("Masses in points"))
-        yield from _lumped_lines(moving, loading, bodies)
+        yield from _lumped_lines(moving, divided)
     yield Heading(tr("Shaking force and moment"))
     yield Paragraph(tr("The shaking force is the sum of the inertia forces of all links:"))
     yield from _force_lines(moving, result, bodies)
@@ -69,7 +69,14 @@ def linkage_blocks(order: Order, result: Balancing) -> Iterator[Block]:
 def _in_pins(mechanism: Mechanism, loading: Loading) -> tuple[Body, ...]:
     """The bodies with the rods lumped in their pins whose centres of mass lie between these."""
     rods = [link for link in rods_of(mechanism, loading) if _on_line(mechanism, loading, link)]
-    return tuple(body for body in lumped(mechanism, loading, tuple(rods)) if body.mass or body.inertia)
+    least = ON_LINE * max((body.mass for body in loading.bodies), default=0.0)
+    return tuple(body for body in lumped(mechanism, loading, tuple(rods)) if abs(body.mass) > least or body.inertia)
+
+
+def _divided(loading: Loading, bodies: Sequence[Body]) -> list[tuple[Body, list[Body]]]:
+    """The rods whose mass is divided, with its parts; that of one whose centre of mass is in a pin is there whole."""
+    parts = {body: [each for each in bodies if each.link == body.link] for body in loading.bodies}
+    return [(body, own) for body, own in parts.items() if len(own) > 1]
 
 
 def _on_line(mechanism: Mechanism, loading: Loading, link: int) -> bool:
@@ -84,7 +91,7 @@ def pins_of(mechanism: Mechanism, link: int) -> tuple[complex, complex]:
     return first.points[first.links.index(link)], second.points[second.links.index(link)]
 
 
-def _lumped_lines(moving: Moving, loading: Loading, bodies: Sequence[Body]) -> Iterator[Block]:
+def _lumped_lines(moving: Moving, divided: Sequence[tuple[Body, list[Body]]]) -> Iterator[Block]:
     """The masses of every rod by the lever rule."""
     yield Paragraph(
         tr(
@@ -93,10 +100,7 @@ def _lumped_lines(moving: Moving, loading: Loading, bodies: Sequence[Body]) -> I
         )
     )
     place = moving.places[0]._replace(name="")
-    for body in loading.bodies:
-        parts = [each for each in bodies if each.link == body.link and each not in loading.bodies]
-        if not parts:
-            continue
+    for body, parts in divided:
         link = body.link
         ends, at = pins_of(moving.mechanism, link), [point_name(moving.mechanism, link, each.center) for each in parts]
         centre = point_name(moving.mechanism, link, body.center)

@@ -136,7 +136,7 @@ def rows(task: ManipulatorTask) -> Iterator[Datum]:
                 if arm.elbow > 0
                 else tr("to the right of the line from the shoulder to the gripper, seen along it")
             )
-            yield Datum(tr("elbow"), text=side)
+            yield Datum(tr("where the elbow is"), text=side)
     if arm.height:
         yield Datum(tr("height of the shoulder"), ("H",), (arm.height,), "m")
     if isinstance(asked, PathTask):

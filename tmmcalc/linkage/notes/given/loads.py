@@ -12,7 +12,8 @@ from tmmcalc.linkage.model import FRAME
 from tmmcalc.linkage.notes.given.bases import Seen
 from tmmcalc.linkage.notes.given.metric import coordinate_said, coordinates, degrees, place
 from tmmcalc.linkage.notes.group import plain_name
-from tmmcalc.linkage.notes.statics.loaded import force_key
+from tmmcalc.linkage.notes.statics.loaded import force_key, name_index, names_of, own_index
+from tmmcalc.linkage.structure import Structure
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Datum
@@ -24,14 +25,15 @@ if TYPE_CHECKING:
 NEAR = 1e-9  # of the components of gravity [m/s^2]
 
 
-def given_loads(spec: LinkageTables, seen: Seen, *, metric: bool) -> Iterator[Datum]:
+def given_loads(spec: LinkageTables, seen: Seen, structure: Structure, *, metric: bool) -> Iterator[Datum]:
     """All of it; places that are told by the metric of the linkage only where that is given."""
     loading = to_loading(spec)
     for body in loading.bodies:
         yield from _body(seen, body, metric=metric)
     yield from _gravity(loading.gravity)
+    names = names_of(seen.mechanism, structure, loading)
     for table, load in zip(spec.loads, loading.loads, strict=True):
-        yield from _load(seen, table, load, metric=metric)
+        yield from _load(seen, table, load, names[load.link, load.name, "load"], metric=metric)
     for spring in loading.springs:
         yield from _spring(seen, spring, metric=metric)
     yield from _pairs(seen, loading)
@@ -65,19 +67,19 @@ def _gravity(gravity: complex) -> Iterator[Datum]:
         yield Datum(tr("direction of gravity, from axis $x$"), (), (degrees(gravity),), "deg")
 
 
-def _load(seen: Seen, table: LoadTable, load: Load, *, metric: bool) -> Iterator[Datum]:
-    """The law of a load, its factor, where along the motion and on what it acts."""
+def _load(seen: Seen, table: LoadTable, load: Load, name: str, *, metric: bool) -> Iterator[Datum]:
+    """The law of a load with its name in formulas, its factor, where along the motion and on what it acts."""
     called = tr("“{name}”", name=load.name)
-    key = force_key(load.name)
-    index = key.partition("_")[2].strip("{}") or plain_name(load.name)
+    key, index = force_key(name), own_index(name)
     mechanism = seen.mechanism
     turns = mechanism.joint(mechanism.input.joint).kind == "revolute"
     outputs: dict[str | None, Coordinate] = {
-        name: Coordinate(coordinate_said(mechanism, output), output.link is not None)
+        each: Coordinate(coordinate_said(mechanism, output), output.link is not None)
         for output in reversed(mechanism.outputs)
-        for name in (None, output.name)
+        for each in (None, output.name)
     }
-    yield from load.law.given(table, Called(called, key, index, load.kind, turns, outputs))
+    windowed = load.window is not None
+    yield from load.law.given(table, Called(called, key, index, load.kind, turns, outputs, windowed, load.against))
     if "factor" in table.model_fields_set:
         yield Datum(tr("factor of load {name}", name=called), (f"k_{{{index}}}",), (load.factor,))
     yield from _window(table, load, called, outputs, turns=turns)
@@ -120,7 +122,7 @@ def _applied(seen: Seen, load: Load, called: str, *, metric: bool) -> Iterator[D
         yield Datum(tr("positive sense of load {name}", name=called), text=tr("counter-clockwise"))
     else:
         known = seen.point_at(load.link, load.point)
-        name = plain_name(load.name if known is None else known.name)
+        name = name_index(load.name) if known is None else plain_name(known.name)
         yield Datum(where, text=tr("{link}, point {point}", link=link, point=name))
         if metric and known is None:
             yield from place(seen, load.link, name, load.point)
@@ -145,12 +147,13 @@ def _direction(seen: Seen, load: Load, called: str, *, metric: bool) -> Datum:
 
 def _spring(seen: Seen, spring: Spring, *, metric: bool) -> Iterator[Datum]:
     """A spring with its damper: what it joins, its stiffness, free length or angle, damping."""
-    called, index = tr("“{name}”", name=spring.name), plain_name(spring.name)
+    called, name = tr("“{name}”", name=spring.name), name_index(spring.name)
+    index = f"s,{name}"  # of its letters, as no load has it
     linear = spring.kind == "linear"
     ends = ["", ""]
     for k, (link, at) in enumerate(zip(spring.links, spring.points, strict=True)):
         known = seen.point_at(link, at)
-        ends[k] = f"{index}{k + 1}" if known is None else plain_name(known.name)
+        ends[k] = f"{name}{k + 1}" if known is None else plain_name(known.name)
         if linear and known is None and link == FRAME:
             yield coordinates(tr("coordinates of point {point}", point=ends[k]), ends[k], at)
         elif linear and known is None and metric:

@@ -12,16 +12,17 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.plane import Real, cross
-from tmmcalc.linkage.acting import Kind, acting_on, told_apart
+from tmmcalc.linkage.acting import Acts, Kind, acting_on, told_apart
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
 from tmmcalc.linkage.forces.results import Forces, side_of
 from tmmcalc.linkage.freebody import Acting, Couple, FreeBody, Solved, link_bodies, solved
-from tmmcalc.linkage.loading import Loading, Pair
+from tmmcalc.linkage.loading import Load, Loading, Pair
 from tmmcalc.linkage.loads.scene import compile_scene
-from tmmcalc.linkage.model import Joint
+from tmmcalc.linkage.model import Joint, Mechanism
 from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.told import Told, told_of
 from tmmcalc.linkage.pins import find_pins
+from tmmcalc.linkage.structure import Structure
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
@@ -81,15 +82,51 @@ class Loaded(NamedTuple):
 
 
 def force_key(name: str, part: str = "") -> str:
-    """The name of a force in formulas: a letter with an index.
+    """The name of a force in formulas: a letter with an index, the primes of its name; no two names have one key.
 
     >>> force_key("Q5"), force_key("Q5", "x"), force_key("P_z", "y"), force_key("gas", "x")
     ('Q_{5}', 'Q_{5x}', 'P_{zy}', 'Q_{gas,x}')
+    >>> force_key("Q5'"), force_key("Q_5"), force_key("Q_gas", "x")  # other loads than Q5 and gas
+    ("Q'_{5}", 'Q_{Q-5}', 'Q_{Q-gas,x}')
     """
-    found = re.fullmatch(r"([A-Za-z])(?:_(\w+)|(\d*))", name)
-    letter, index = (found[1], found[2] or found[3] or "") if found else ("Q", plain_name(name))
-    index = index.replace("_", ",") + ("," if part and index.isalpha() and len(index) > 1 else "") + part
-    return f"{letter}_{{{index}}}" if index else letter
+    plain = name.rstrip("'")
+    primes = name[len(plain) :]
+    found = re.fullmatch(r"([A-Za-z])(\d*)", plain) or re.fullmatch(r"([A-PR-Za-z])_([A-Za-z]\w*)", plain)
+    letter, index = (found[1], name_index(found[2])) if found else ("Q", name_index(plain))
+    index += ("," if part and len(index) > 1 and index[-1].isalpha() else "") + part
+    return f"{letter}{primes}_{{{index}}}" if index else f"{letter}{primes}"
+
+
+def names_of(mechanism: Mechanism, structure: Structure, loading: Loading) -> dict[tuple[int, str, Kind], str]:
+    """The names of what acts by link, name and kind, told apart; a load that pushes against a link keeps its own."""
+    acting = [each for each in acting_on(mechanism, structure, loading) if each.kind not in ("reaction", "friction")]
+    names = {(a.link, a.name, a.kind): name for a, name in zip(acting, told_apart(acting), strict=True)}
+    return names | {(load.link, load.name, "load"): _own_name(acting, load) for load in loading.loads}
+
+
+def _own_name(acting: Sequence[Acts], load: Load) -> str:
+    """The name of a load; with its kind where something else is called so."""
+    shared = any(each.name == load.name and each.kind != "load" for each in acting)
+    return f"{load.name}_load" if shared else load.name
+
+
+def name_index(name: str) -> str:
+    """The name of a load or a spring as an index, no two alike.
+
+    >>> name_index("gas"), name_index("Q2'"), name_index("Q_2"), name_index("spring 1")
+    ('gas', 'Q2′', 'Q-2', 'spring,1')
+    """
+    return name.translate({ord("_"): "-", ord("'"): "′", ord(" "): ","})
+
+
+def own_index(name: str) -> str:
+    """The index of the letters of the law of a load, which begins with the letter of the load as no other does.
+
+    >>> own_index("Q5"), own_index("gas"), own_index("Q5'"), own_index("M")
+    ('Q,5', 'Q,gas', 'Q′,5', 'Q,M')
+    """
+    letter, _, index = force_key(name).replace("'", "′").partition("_")
+    return f"{letter},{index.strip('{}')}" if index else f"Q,{letter}"
 
 
 def loaded_of(order: Order) -> Loaded:
@@ -100,8 +137,7 @@ def loaded_of(order: Order) -> Loaded:
     rows = [result.labels.index(told.result.labels[row]) for row in told.rows]  # more of them where friction jumps
     every = solved(statics, result.theta, np.array([side_of(result, row) for row in range(len(result.labels))]))
     bodies = [{body.links[0]: body for body in link_bodies(every, row)} for row in rows]
-    acting = [each for each in acting_on(mechanism, structure, loading) if each.kind not in ("reaction", "friction")]
-    names = {(a.link, a.name, a.kind): name for a, name in zip(acting, told_apart(acting), strict=True)}
+    names = names_of(mechanism, structure, loading)
     force = max((abs(f.value) for each in bodies for body in each.values() for f in body.forces), default=0.0)
     couple = max((abs(c.value) for each in bodies for body in each.values() for c in body.couples), default=0.0)
     powered = "power" in order.results

@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.linkage.notes.syntheses.dwellchoices import choices
+from tmmcalc.linkage.notes.syntheses.dwellchoices import FRAME, choices, part_rule
 from tmmcalc.linkage.notes.syntheses.dwellsearch import criteria, searched
 from tmmcalc.linkage.notes.syntheses.positions import by_lengths, by_positions
 from tmmcalc.linkage.notes.syntheses.told import Told, angle, length, quantity_of, ratio, turned
@@ -149,8 +149,7 @@ def _division(told: Told, asked: DwellTask) -> Iterator[Block]:
     said = tr("part of the dwell after which the output moves along the crank, by the rule")
     told.give({"n^{(0)}": ratio(rule, said)})
     yield Paragraph(tr("The turn of the crank on the stroke towards the dwell gives the part $n$ nearly:"))
-    text = "1 - (deg(180) - phi_t)/phi_B" if asked.clockwise else "(deg(180) - phi_t)/phi_B"
-    yield from told.lines(f"n^{{(0)}} = {text}")
+    yield from told.lines(f"n^{{(0)}} = {part_rule(asked)}")
     if asked.exact:
         yield Paragraph(
             tr(
@@ -187,7 +186,7 @@ def _rocker(told: Told, asked: DwellTask) -> Iterator[Block]:
         yield from _division(told, asked)
         rule = told.design.size("l_OA") / math.sin((asked.swing or math.nan) / 2)
         told.give({"l_OF^{(0)}": length(rule, tr("frame by the rule of the swing"))})
-        yield from told.lines("l_OF^{(0)} = l_OA/sin(Theta/2)")
+        yield from told.lines(f"l_OF^{{(0)}} = {FRAME}")
         if asked.exact:
             yield Paragraph(
                 tr(

@@ -10,6 +10,8 @@ from tmmcalc.linkage.synthesis.dwell.task import DwellTask, Optimum
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Datum, Paragraph
 
+FRAME = "l_OA/sin(Theta/2)"  # of a rocker, by its swing
+
 
 def choices(asked: DwellTask) -> Iterator[Block]:
     """Conventions, then the choices by words, and the search where there is one."""
@@ -51,12 +53,16 @@ def choices(asked: DwellTask) -> Iterator[Block]:
 def _divided(asked: DwellTask) -> Iterator[Datum]:
     """By what the part n of the dwell and the frame of a rocker are."""
     if asked.n is None and asked.working_angle is not None:
-        rule = "1 - (deg(180) - phi_t)/phi_B" if asked.clockwise else "(deg(180) - phi_t)/phi_B"
-        yield Datum(tr("part of the dwell"), ("n",), text=_corrected(f"${rule}$", exact=asked.exact))
+        yield Datum(tr("part of the dwell"), ("n",), text=_corrected(f"${part_rule(asked)}$", exact=asked.exact))
     elif asked.n is None and asked.pivot is None and asked.optimum is None:
         yield Datum(tr("part of the dwell"), ("n",), (USUAL,))
     if asked.swing is not None and asked.pivot is None:
-        yield Datum(tr("frame of the rocker"), ("l_OF",), text=_corrected("$l_OA/sin(Theta/2)$", exact=asked.exact))
+        yield Datum(tr("frame of the rocker"), ("l_OF",), text=_corrected(f"${FRAME}$", exact=asked.exact))
+
+
+def part_rule(asked: DwellTask) -> str:
+    """The part n of the dwell by the turn of the crank on the stroke towards it."""
+    return "1 - (deg(180) - phi_t)/phi_B" if asked.clockwise else "(deg(180) - phi_t)/phi_B"
 
 
 def _corrected(rule: str, *, exact: bool) -> str:

@@ -10,7 +10,7 @@ from tmmcalc.linkage.synthesis.dwell.optimum import STEPS
 from tmmcalc.linkage.synthesis.dwell.parameters import RANGES, given
 from tmmcalc.linkage.synthesis.dwell.results import BarForce, Dwell
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask, Optimum
-from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.digits import Given, digits_given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Display, Paragraph, Place, Result, Table
@@ -52,7 +52,7 @@ def searched(told: Told, asked: DwellTask) -> Iterator[Block]:
         tr("The parameters that are not given are sought so that the weighted sum of the criteria is least:")
     )
     yield Display(read(f"F = {' + '.join(f'{w}*f_{w[2:]}' for w in weights)}"))
-    shown = ", ".join(f"${name} = {numeral(value)}$" for name, value in weights.items())
+    shown = ", ".join(f"${name} = {numeral(value, digits_given(value))}$" for name, value in weights.items())
     yield Paragraph(
         tr("The weights are {weights}. The criteria are told with the numbers of the linkage below.", weights=shown)
     )
