@@ -121,7 +121,7 @@ def test_a_table_of_the_angle_has_its_points_its_curve_and_its_period(tmp_path: 
     assert (points.keys, points.unit) == (("phi",), "deg")
     assert points.values == pytest.approx((0, 130, 720))
     assert found["values of load “Q3” there"].values == (40.0, 1000.0, 40.0)
-    assert "pchip" in found["load “Q3” between its points"].text
+    assert "monotone" in found["load “Q3” between its points"].text
     back = found["angle of the crank after which the values of load “Q3” come back"]
     assert back.values == pytest.approx((720,))
 

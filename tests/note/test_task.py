@@ -64,7 +64,7 @@ def test_a_load_has_its_link_its_point_and_its_direction() -> None:
 @pytest.mark.parametrize(
     ("name", "drive"),
     [
-        ("press", "constant driving moment"),
+        ("press", "constant moment, with which the work of the cycle is zero"),
         ("course-project", "motor, its characteristic by the formula of Kloss"),
     ],
 )

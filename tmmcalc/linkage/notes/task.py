@@ -21,6 +21,7 @@ from tmmcalc.linkage.paths.task import WantedPath
 from tmmcalc.linkage.pictures.cycle import whole_cycle
 from tmmcalc.linkage.pictures.scheme import draw_scheme
 from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.linkage.tables.tasks.paths import to_paths
 from tmmcalc.report.drawing.order import Order
@@ -48,7 +49,8 @@ def blocks(order: Order) -> Iterator[Block]:
         yield Figure(tr("Scheme of the mechanism"), draw, SIZE, "task_scheme")
     seen = seen_of(mechanism, result.structure)
     loaded = bool({"forces", "reduction", "balance"} & set(order.results))
-    yield from input_motion(order.spec.linkage, seen, result, known=known)
+    repeats = math.lcm(*(load.turns for load in to_loading(order.spec).loads)) if loaded else 1
+    yield from input_motion(order.spec.linkage, seen, result, cycle=repeats, known=known)
     strokes, cycle = _of_strokes(order.spec), result.turns and order.spec.linkage.grid.span is None
     for output in mechanism.outputs:
         yield from _output(seen, output, asked=output.name in strokes, cycle=cycle)

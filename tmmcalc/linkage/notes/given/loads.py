@@ -30,6 +30,9 @@ def given_loads(spec: LinkageTables, seen: Seen, structure: Structure, *, metric
     loading = to_loading(spec)
     for body in loading.bodies:
         yield from _body(seen, body, metric=metric)
+    heavy, links = {body.link for body in loading.heavy}, [link.id for link in seen.mechanism.links if link.id != FRAME]
+    if light := [str(link) for link in links if link not in heavy]:
+        yield Datum(tr("links whose mass is neglected"), text=", ".join(light))
     yield from _gravity(loading.gravity)
     names = names_of(seen.mechanism, structure, loading)
     for table, load in zip(spec.loads, loading.loads, strict=True):
@@ -81,7 +84,7 @@ def _load(seen: Seen, table: LoadTable, load: Load, name: str, *, metric: bool) 
     windowed = load.window is not None
     yield from load.law.given(table, Called(called, key, index, load.kind, turns, outputs, windowed, load.against))
     if "factor" in table.model_fields_set:
-        yield Datum(tr("factor of load {name}", name=called), (f"k_{{{index}}}",), (load.factor,))
+        yield Datum(tr("factor by which load {name} is multiplied", name=called), (f"k_{{{index}}}",), (load.factor,))
     yield from _window(table, load, called, outputs, turns=turns)
     yield from _applied(seen, load, called, metric=metric)
     role = {"drive": tr("drives the mechanism"), "neutral": tr("neither drives nor resists")}.get(load.role)

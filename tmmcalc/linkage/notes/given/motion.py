@@ -20,15 +20,18 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.tables.mechanism import MechanismTable
 
 
-def input_motion(table: MechanismTable, seen: Seen, result: Kinematics, *, known: bool) -> Iterator[Datum]:
-    """Speed, sense, beginning and positions; of a linkage that is found without the numbers that are found with it."""
+def input_motion(table: MechanismTable, seen: Seen, result: Kinematics, *, cycle: int, known: bool) -> Iterator[Datum]:
+    """Speed, sense, beginning and positions; of a linkage that is found without the numbers that are found with it.
+
+    ``cycle``: turns of the crank after which the loads repeat.
+    """
     start = table.input.start
     if known:
         yield from _speed(seen, result)
     if result.turns:
         sense = tr("counter-clockwise") if result.speed > 0 else tr("clockwise")
         yield Datum(tr("sense in which the crank turns"), text=sense)
-    yield from _steps(table.grid, result)
+    yield from _steps(table.grid, result, cycle)
     if isinstance(start, str):
         text = tr("dead centre before the working stroke")
         if len(table.outputs) > 1:
@@ -58,7 +61,7 @@ def _speed(seen: Seen, result: Kinematics) -> Iterator[Datum]:
         yield Datum(said, (f"a_{{{pair}}}",), (result.acceleration,), "m/s^2")
 
 
-def _steps(grid: GridTable, result: Kinematics) -> Iterator[Datum]:
+def _steps(grid: GridTable, result: Kinematics, cycle: int) -> Iterator[Datum]:
     """The positions: equal steps over the cycle, over a part of it, over each stroke; those between."""
     if grid.working is not None and grid.idle is not None:
         yield Datum(tr("number of equal steps of the working stroke"), ("n_w",), (float(grid.working),))
@@ -70,7 +73,12 @@ def _steps(grid: GridTable, result: Kinematics) -> Iterator[Datum]:
             said = tr("number of equal steps of the travel of the drive")
         elif grid.span is not None:
             said = tr("number of equal steps of the travel of the crank")
+        elif cycle > 1:
+            said = tr("number of equal steps of a turn of the crank")
         yield Datum(said, ("n",), (float(len(even) - 1),))
+        if result.turns and grid.span is None and cycle > 1:
+            whole = tr("{count} turns of the crank, positions 0 to {last}", count=cycle, last=cycle * (len(even) - 1))
+            yield Datum(tr("cycle of the loads"), text=whole)
     if grid.span is not None and result.turns:
         yield Datum(tr("travel of the crank from the first position"), ("phi_n",), (math.degrees(grid.span),), "deg")
     elif grid.span is not None:
