@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.manipulators.notes.path import arc_quantities, point, unit_vector
-from tmmcalc.manipulators.notes.told import At, Told, law_of
+from tmmcalc.manipulators.notes.told import At, Told, gripper_law, law_of
 from tmmcalc.manipulators.task import PathTask
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
@@ -43,17 +43,7 @@ def law(told: Told) -> Iterator[Block]:
     assert isinstance(asked, PathTask)
     drive, legs = asked.drive, told.result.legs
     yield Heading(tr("Time-optimal law of the gripper"), 2)
-    yield Paragraph(
-        tr(
-            "The gripper moves from rest to rest in the shortest time that the limits allow: with the largest "
-            "tangential acceleration, at constant speed, with the largest deceleration."
-        )
-        if drive.duration is None
-        else tr(
-            "The gripper moves from rest to rest in the given time: with the largest tangential acceleration, at "
-            "constant speed, with the largest deceleration."
-        )
-    )
+    yield Paragraph(gripper_law(drive))
     if len(legs) > 1:
         yield Paragraph(
             tr("It does so on each of {count} parts of the path, which are parted by stops.", count=len(legs))

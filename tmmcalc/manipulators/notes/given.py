@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tmmcalc.manipulators.notes.told import AXES, joint_words, letter
+from tmmcalc.manipulators.notes.told import AXES, gripper_law, joint_words, letter
 from tmmcalc.manipulators.task import (
     ArcRoute,
     ArcThrough,
@@ -83,17 +83,7 @@ def whole(task: ManipulatorTask) -> Iterator[Block]:
 def _by_path(asked: PathTask) -> Paragraph:
     """How the gripper goes along its path."""
     drive, route = asked.drive, asked.route
-    said = [
-        tr(
-            "The gripper moves from rest to rest in the shortest time that the limits allow: with the largest "
-            "tangential acceleration, at constant speed, with the largest deceleration."
-        )
-        if drive.duration is None
-        else tr(
-            "The gripper moves from rest to rest in the given time: with the largest tangential acceleration, at "
-            "constant speed, with the largest deceleration."
-        )
-    ]
+    said = [gripper_law(drive)]
     if isinstance(route, ArcRoute):
         said.append(tr("The gripper goes along the shorter arc of the given radius."))
         said.append(tr("$K = 1$: the centre is to the left of the way from start to end, $K = -1$: to the right."))

@@ -16,7 +16,7 @@ from tmmcalc.core.records import record
 from tmmcalc.manipulators.arms import meridian, polar
 from tmmcalc.manipulators.results import Manipulator
 from tmmcalc.manipulators.routes import Leg, Piece, legs_of
-from tmmcalc.manipulators.task import Arm, Joint, ManipulatorTask, PathTask
+from tmmcalc.manipulators.task import Arm, Drive, Joint, ManipulatorTask, PathTask
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Lexicon, Line, Place
@@ -189,6 +189,19 @@ def joint_quantities(arm: Arm, joint: Joint, states: Sequence[float]) -> Lexicon
 def letter(joint: Joint) -> str:
     """A joint coordinate by its letter."""
     return "gamma" if joint.name == "elbow" else joint.name
+
+
+def gripper_law(drive: Drive) -> str:
+    """The law by which the gripper goes along its path, in words."""
+    if drive.duration is None:
+        return tr(
+            "The gripper moves from rest to rest in the shortest time that the limits allow: with the largest "
+            "tangential acceleration, at constant speed, with the largest deceleration."
+        )
+    return tr(
+        "The gripper moves from rest to rest in the given time: with the largest tangential acceleration, at constant "
+        "speed, with the largest deceleration."
+    )
 
 
 def law_of(told: Told, leg: int) -> Lexicon:
